@@ -8,9 +8,8 @@
  *   platform_pose.qy, platform_pose.qz; one_mode makes code for it only
  * Note: independent coordinates y: platform_pose.0, platform_pose.1, platform_pose.2
  *
- * Arrays are column-major, owned by the caller, and must not overlap; arrays of size 0 may be NULL. Nothing is
- * allocated and no state is kept: functions may run in several threads at once. On failure all outputs are NaN. Do not
- * compile with -ffinite-math-only or -ffast-math: the checks for NaN would vanish.
+ * On failure all outputs are NaN. Do not compile with -ffinite-math-only or -ffast-math: the checks for NaN would
+ * vanish.
  *
  * A batch writes the status of each of `count` states to `status` unless that is NULL, and returns the largest, 0 if
  * all are below. <function>_batch takes the arrays of the states one after the other; <function>_batch_soa has entry k
@@ -42,21 +41,24 @@
  * drives: u > 0 lengthens a driven slider and turns a driven revolute joint positively. The force of a slider acts
  *   along its axis, on the line through the joint's point, on the child; its reaction on the parent.
  * reactions: Wrenches (f ; m_O) from parent on child, without the drive's share, which is u.
+ * memory: Arrays are the caller's and must not overlap; in C those of size 0 may be NULL. Nothing is allocated.
+ * threads: No state is kept: functions may run in several threads at once.
  */
 
 /* What functions return; the text of a status says it in words. */
-#define DELTA_RANK_LOST -2 /* success where the loops lose rank: by the rank-revealing path, with the freedoms that open there */
+#define DELTA_RANK_LOST -2 \
+    /* success where the loops lose rank: by the rank-revealing path, with the freedoms that open there */
 #define DELTA_RANK_REVEALING -1 /* success near a small pivot: by the rank-revealing path, at full rank */
 #define DELTA_SUCCESS 0 /* success */
-#define DELTA_NEAR_SINGULAR 1 /* near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN */
-#define DELTA_NOT_FINITE 2 /* not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN */
-#define DELTA_NOT_CONVERGED 3 /* not converged: the loops could not be closed from this guess; all outputs are NaN */
-#define DELTA_OTHER_BRANCH 4 /* other branch: the loops close only on another assembly branch than the guess; all outputs are NaN */
-#define DELTA_NO_ROTATION 5 /* no rotation: the length of a quaternion differs from 1 by more than rounding; all outputs are NaN */
-#define DELTA_NOT_ON_MECHANISM 6 /* not on the mechanism: its loops do not close where, or as, the inputs say; all outputs are NaN */
-#define DELTA_OUT_OF_REACH_1 11 /* out of reach: limb arm1_R does not get there; all outputs are NaN */
-#define DELTA_OUT_OF_REACH_2 12 /* out of reach: limb arm2_R does not get there; all outputs are NaN */
-#define DELTA_OUT_OF_REACH_3 13 /* out of reach: limb arm3_R does not get there; all outputs are NaN */
+#define DELTA_NEAR_SINGULAR 1 /* near-singular: a pivot of the elimination fell below its threshold */
+#define DELTA_NOT_FINITE 2 /* not finite: an input was NaN or infinite, or an output overflowed */
+#define DELTA_NOT_CONVERGED 3 /* not converged: the loops could not be closed from this guess */
+#define DELTA_OTHER_BRANCH 4 /* other branch: the loops close only on another assembly branch than the guess */
+#define DELTA_NO_ROTATION 5 /* no rotation: the length of a quaternion differs from 1 by more than rounding */
+#define DELTA_NOT_ON_MECHANISM 6 /* not on the mechanism: its loops do not close where, or as, the inputs say */
+#define DELTA_OUT_OF_REACH_1 11 /* out of reach: limb arm1_R does not get there */
+#define DELTA_OUT_OF_REACH_2 12 /* out of reach: limb arm2_R does not get there */
+#define DELTA_OUT_OF_REACH_3 13 /* out of reach: limb arm3_R does not get there */
 
 /* Entries of arrays that several functions have. */
 /* q[22] [15 in rad, 3 in m, 4 of unit 1]: configuration of the tree */

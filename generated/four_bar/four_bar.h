@@ -9,9 +9,8 @@
  *   divided by the characteristic length 0.301689 m); not unique: C.fy, C.mx, C.mz, B.fy, B.mx, B.mz,
  *   D.fy, D.mx, D.mz, A.fy, A.mx, A.mz
  *
- * Arrays are column-major, owned by the caller, and must not overlap; arrays of size 0 may be NULL. Nothing is
- * allocated and no state is kept: functions may run in several threads at once. On failure all outputs are NaN. Do not
- * compile with -ffinite-math-only or -ffast-math: the checks for NaN would vanish.
+ * On failure all outputs are NaN. Do not compile with -ffinite-math-only or -ffast-math: the checks for NaN would
+ * vanish.
  *
  * A batch writes the status of each of `count` states to `status` unless that is NULL, and returns the largest, 0 if
  * all are below. <function>_batch takes the arrays of the states one after the other; <function>_batch_soa has entry k
@@ -39,19 +38,22 @@
  * drives: u > 0 lengthens a driven slider and turns a driven revolute joint positively. The force of a slider acts
  *   along its axis, on the line through the joint's point, on the child; its reaction on the parent.
  * reactions: Wrenches (f ; m_O) from parent on child, without the drive's share, which is u.
+ * memory: Arrays are the caller's and must not overlap; in C those of size 0 may be NULL. Nothing is allocated.
+ * threads: No state is kept: functions may run in several threads at once.
  */
 
 /* What functions return; the text of a status says it in words. */
-#define FOUR_BAR_RANK_LOST -2 /* success where the loops lose rank: by the rank-revealing path, with the freedoms that open there */
+#define FOUR_BAR_RANK_LOST -2 \
+    /* success where the loops lose rank: by the rank-revealing path, with the freedoms that open there */
 #define FOUR_BAR_RANK_REVEALING -1 /* success near a small pivot: by the rank-revealing path, at full rank */
 #define FOUR_BAR_SUCCESS 0 /* success */
-#define FOUR_BAR_NEAR_SINGULAR 1 /* near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN */
-#define FOUR_BAR_NOT_FINITE 2 /* not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN */
-#define FOUR_BAR_NOT_CONVERGED 3 /* not converged: the loops could not be closed from this guess; all outputs are NaN */
-#define FOUR_BAR_OTHER_BRANCH 4 /* other branch: the loops close only on another assembly branch than the guess; all outputs are NaN */
-#define FOUR_BAR_NO_ROTATION 5 /* no rotation: the length of a quaternion differs from 1 by more than rounding; all outputs are NaN */
-#define FOUR_BAR_NOT_ON_MECHANISM 6 /* not on the mechanism: its loops do not close where, or as, the inputs say; all outputs are NaN */
-#define FOUR_BAR_OUT_OF_REACH_1 11 /* out of reach: limb A does not get there; all outputs are NaN */
+#define FOUR_BAR_NEAR_SINGULAR 1 /* near-singular: a pivot of the elimination fell below its threshold */
+#define FOUR_BAR_NOT_FINITE 2 /* not finite: an input was NaN or infinite, or an output overflowed */
+#define FOUR_BAR_NOT_CONVERGED 3 /* not converged: the loops could not be closed from this guess */
+#define FOUR_BAR_OTHER_BRANCH 4 /* other branch: the loops close only on another assembly branch than the guess */
+#define FOUR_BAR_NO_ROTATION 5 /* no rotation: the length of a quaternion differs from 1 by more than rounding */
+#define FOUR_BAR_NOT_ON_MECHANISM 6 /* not on the mechanism: its loops do not close where, or as, the inputs say */
+#define FOUR_BAR_OUT_OF_REACH_1 11 /* out of reach: limb A does not get there */
 
 /* Entries of arrays that several functions have. */
 /* q[3] [rad]: configuration of the tree */

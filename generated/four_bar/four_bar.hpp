@@ -79,7 +79,8 @@ private:
     double *data_;
 };
 
-/* Displacement of every body from the reference configuration: x = R x_reference + t, absolute axes. See four_bar.h for shapes, units and labels. */
+/* Displacement of every body from the reference configuration: x = R x_reference + t, absolute axes. See four_bar.h
+   for shapes, units and labels. */
 struct body_poses_result {
     std::array<double, 36> poses{};
     Status status{};
@@ -119,7 +120,8 @@ inline body_twists_result body_twists(In<3> q, In<3> v) noexcept
     return result;
 }
 
-/* Componentwise time derivatives of the twists at O, by the screw bracket. See four_bar.h for shapes, units and labels. */
+/* Componentwise time derivatives of the twists at O, by the screw bracket. See four_bar.h for shapes, units and
+   labels. */
 struct body_twist_rates_result {
     std::array<double, 18> twist_rates{};
     Status status{};
@@ -159,7 +161,8 @@ inline forward_kinematics_result forward_kinematics(In<3> q) noexcept
     return result;
 }
 
-/* Positions, velocities and accelerations of the named points in absolute axes. See four_bar.h for shapes, units and labels. */
+/* Positions, velocities and accelerations of the named points in absolute axes. See four_bar.h for shapes, units
+   and labels. */
 struct point_motion_result {
     std::array<double, 3> positions{};
     std::array<double, 3> velocities{};
@@ -169,9 +172,11 @@ struct point_motion_result {
     bool ok() const noexcept { return static_cast<int>(status) <= 0; }
 };
 
-inline Status point_motion(In<3> q, In<3> v, In<3> a, Out<3> positions, Out<3> velocities, Out<3> accelerations) noexcept
+inline Status point_motion(In<3> q, In<3> v, In<3> a, Out<3> positions, Out<3> velocities, Out<3> accelerations)
+    noexcept
 {
-    return static_cast<Status>(::four_bar_point_motion(q.data(), v.data(), a.data(), positions.data(), velocities.data(), accelerations.data()));
+    return static_cast<Status>(::four_bar_point_motion(q.data(), v.data(), a.data(), positions.data(),
+        velocities.data(), accelerations.data()));
 }
 
 inline point_motion_result point_motion(In<3> q, In<3> v, In<3> a) noexcept
@@ -181,7 +186,8 @@ inline point_motion_result point_motion(In<3> q, In<3> v, In<3> a) noexcept
     return result;
 }
 
-/* Unit screws of all joints at O in absolute axes, eq. (5); spherical: along the parent's axes. See four_bar.h for shapes, units and labels. */
+/* Unit screws of all joints at O in absolute axes, eq. (5); spherical: along the parent's axes. See four_bar.h for
+   shapes, units and labels. */
 struct joint_screws_result {
     std::array<double, 24> screws{};
     Status status{};
@@ -201,7 +207,8 @@ inline joint_screws_result joint_screws(In<3> q) noexcept
     return result;
 }
 
-/* Positions of the joints' points, carried by the child body: where the joint reactions act. See four_bar.h for shapes, units and labels. */
+/* Positions of the joints' points, carried by the child body: where the joint reactions act. See four_bar.h for
+   shapes, units and labels. */
 struct joint_points_result {
     std::array<double, 12> points{};
     Status status{};
@@ -241,7 +248,8 @@ inline platform_jacobian_result platform_jacobian(In<3> q) noexcept
     return result;
 }
 
-/* Displacements of all joints, cut ones included; spherical joints as rotation vector in the parent's axes. See four_bar.h for shapes, units and labels. */
+/* Displacements of all joints, cut ones included; spherical joints as rotation vector in the parent's axes. See
+   four_bar.h for shapes, units and labels. */
 struct joint_displacements_result {
     std::array<double, 4> displacements{};
     Status status{};
@@ -261,7 +269,8 @@ inline joint_displacements_result joint_displacements(In<3> q) noexcept
     return result;
 }
 
-/* Rates of all joints, cut ones included; spherical joints along the parent's axes. See four_bar.h for shapes, units and labels. */
+/* Rates of all joints, cut ones included; spherical joints along the parent's axes. See four_bar.h for shapes,
+   units and labels. */
 struct joint_rates_result {
     std::array<double, 4> rates{};
     Status status{};
@@ -321,7 +330,8 @@ inline closure_result closure(In<3> q) noexcept
     return result;
 }
 
-/* Closure Jacobian: row k is the reciprocal wrench k of the cut joints, J v = 0. See four_bar.h for shapes, units and labels. */
+/* Closure Jacobian: row k is the reciprocal wrench k of the cut joints, J v = 0. See four_bar.h for shapes, units
+   and labels. */
 struct closure_jacobian_result {
     std::array<double, 15> jacobian{};
     Status status{};
@@ -401,7 +411,8 @@ inline null_space_result null_space(In<3> q) noexcept
     return result;
 }
 
-/* Accelerations of the tree from the second rates of the independent coordinates. See four_bar.h for shapes, units and labels. */
+/* Accelerations of the tree from the second rates of the independent coordinates. See four_bar.h for shapes, units
+   and labels. */
 struct acceleration_result {
     std::array<double, 3> a{};
     Status status{};
@@ -462,7 +473,8 @@ inline momentum_rates_result momentum_rates(In<3> q, In<3> v, In<3> a) noexcept
     return result;
 }
 
-/* Kinetic energy and potential energy of the effects (gravity: zero at O). See four_bar.h for shapes, units and labels. */
+/* Kinetic energy and potential energy of the effects (gravity: zero at O). See four_bar.h for shapes, units and
+   labels. */
 struct energy_result {
     std::array<double, 2> energy{};
     Status status{};
@@ -502,7 +514,8 @@ inline mass_matrix_result mass_matrix(In<3> q) noexcept
     return result;
 }
 
-/* Generalised forces of the tree at zero acceleration: M a + bias = forces on the freedoms + J^T multipliers. See four_bar.h for shapes, units and labels. */
+/* Generalised forces of the tree at zero acceleration: M a + bias = forces on the freedoms + J^T multipliers. See
+   four_bar.h for shapes, units and labels. */
 struct bias_result {
     std::array<double, 3> bias{};
     Status status{};
@@ -522,7 +535,8 @@ inline bias_result bias(In<3> q, In<3> v) noexcept
     return result;
 }
 
-/* Drives from a consistent state of the tree, by the rates of the momentum screws. See four_bar.h for shapes, units and labels. */
+/* Drives from a consistent state of the tree, by the rates of the momentum screws. See four_bar.h for shapes, units
+   and labels. */
 struct inverse_dynamics_result {
     std::array<double, 1> u{};
     Status status{};
@@ -542,7 +556,8 @@ inline inverse_dynamics_result inverse_dynamics(In<3> q, In<3> v, In<3> a) noexc
     return result;
 }
 
-/* Drives from the configuration and the rates and second rates of the independent coordinates. See four_bar.h for shapes, units and labels. */
+/* Drives from the configuration and the rates and second rates of the independent coordinates. See four_bar.h for
+   shapes, units and labels. */
 struct inverse_dynamics_independent_result {
     std::array<double, 1> u{};
     Status status{};
@@ -552,7 +567,8 @@ struct inverse_dynamics_independent_result {
 
 inline Status inverse_dynamics_independent(In<3> q, In<1> y_dot, In<1> y_ddot, Out<1> u) noexcept
 {
-    return static_cast<Status>(::four_bar_inverse_dynamics_independent(q.data(), y_dot.data(), y_ddot.data(), u.data()));
+    return static_cast<Status>(::four_bar_inverse_dynamics_independent(q.data(), y_dot.data(), y_ddot.data(),
+        u.data()));
 }
 
 inline inverse_dynamics_independent_result inverse_dynamics_independent(In<3> q, In<1> y_dot, In<1> y_ddot) noexcept
@@ -603,7 +619,8 @@ inline forward_dynamics_result forward_dynamics(In<3> q, In<3> v, In<1> u) noexc
     return result;
 }
 
-/* Second rates of the independent coordinates from the configuration, their rates and the drives. See four_bar.h for shapes, units and labels. */
+/* Second rates of the independent coordinates from the configuration, their rates and the drives. See four_bar.h
+   for shapes, units and labels. */
 struct forward_dynamics_independent_result {
     std::array<double, 1> y_ddot{};
     Status status{};
@@ -613,7 +630,8 @@ struct forward_dynamics_independent_result {
 
 inline Status forward_dynamics_independent(In<3> q, In<1> y_dot, In<1> u, Out<1> y_ddot) noexcept
 {
-    return static_cast<Status>(::four_bar_forward_dynamics_independent(q.data(), y_dot.data(), u.data(), y_ddot.data()));
+    return static_cast<Status>(::four_bar_forward_dynamics_independent(q.data(), y_dot.data(), u.data(),
+        y_ddot.data()));
 }
 
 inline forward_dynamics_independent_result forward_dynamics_independent(In<3> q, In<1> y_dot, In<1> u) noexcept
@@ -623,7 +641,8 @@ inline forward_dynamics_independent_result forward_dynamics_independent(In<3> q,
     return result;
 }
 
-/* Accelerations of the tree and all joint reactions, at O in absolute axes, from a consistent state and drives. See four_bar.h for shapes, units and labels. */
+/* Accelerations of the tree and all joint reactions, at O in absolute axes, from a consistent state and drives. See
+   four_bar.h for shapes, units and labels. */
 struct forward_dynamics_reactions_result {
     std::array<double, 3> a{};
     std::array<double, 24> reactions{};
@@ -634,7 +653,8 @@ struct forward_dynamics_reactions_result {
 
 inline Status forward_dynamics_reactions(In<3> q, In<3> v, In<1> u, Out<3> a, Out<24> reactions) noexcept
 {
-    return static_cast<Status>(::four_bar_forward_dynamics_reactions(q.data(), v.data(), u.data(), a.data(), reactions.data()));
+    return static_cast<Status>(::four_bar_forward_dynamics_reactions(q.data(), v.data(), u.data(), a.data(),
+        reactions.data()));
 }
 
 inline forward_dynamics_reactions_result forward_dynamics_reactions(In<3> q, In<3> v, In<1> u) noexcept
@@ -644,7 +664,8 @@ inline forward_dynamics_reactions_result forward_dynamics_reactions(In<3> q, In<
     return result;
 }
 
-/* The shortest Newton step onto the closure: q_next closes the loops to second order in their opening at q. See four_bar.h for shapes, units and labels. */
+/* The shortest Newton step onto the closure: q_next closes the loops to second order in their opening at q. See
+   four_bar.h for shapes, units and labels. */
 struct close_position_result {
     std::array<double, 3> q_next{};
     std::array<double, 1> residual_{};
@@ -665,7 +686,8 @@ inline close_position_result close_position(In<3> q) noexcept
     return result;
 }
 
-/* The consistent rates nearest to v (lengths divided by the characteristic length). See four_bar.h for shapes, units and labels. */
+/* The consistent rates nearest to v (lengths divided by the characteristic length). See four_bar.h for shapes,
+   units and labels. */
 struct close_velocity_result {
     std::array<double, 3> v_next{};
     Status status{};
@@ -685,7 +707,8 @@ inline close_velocity_result close_velocity(In<3> q, In<3> v) noexcept
     return result;
 }
 
-/* Configuration of the tree from the platform's own coordinates, limbs in closed form. See four_bar.h for shapes, units and labels. */
+/* Configuration of the tree from the platform's own coordinates, limbs in closed form. See four_bar.h for shapes,
+   units and labels. */
 struct inverse_kinematics_result {
     std::array<double, 3> q{};
     Status status{};
@@ -705,7 +728,8 @@ inline inverse_kinematics_result inverse_kinematics(In<1> pose) noexcept
     return result;
 }
 
-/* Coordinates of the drives from the platform's own, limbs in closed form. See four_bar.h for shapes, units and labels. */
+/* Coordinates of the drives from the platform's own, limbs in closed form. See four_bar.h for shapes, units and
+   labels. */
 struct drive_positions_result {
     std::array<double, 1> positions{};
     Status status{};
@@ -745,7 +769,8 @@ inline inverse_velocity_result inverse_velocity(In<1> pose, In<1> rate) noexcept
     return result;
 }
 
-/* Drives from the platform's own coordinates, rates and accelerations, limbs in closed form. See four_bar.h for shapes, units and labels. */
+/* Drives from the platform's own coordinates, rates and accelerations, limbs in closed form. See four_bar.h for
+   shapes, units and labels. */
 struct inverse_dynamics_platform_result {
     std::array<double, 1> u{};
     Status status{};
@@ -755,7 +780,8 @@ struct inverse_dynamics_platform_result {
 
 inline Status inverse_dynamics_platform(In<1> pose, In<1> rate, In<1> acceleration, Out<1> u) noexcept
 {
-    return static_cast<Status>(::four_bar_inverse_dynamics_platform(pose.data(), rate.data(), acceleration.data(), u.data()));
+    return static_cast<Status>(::four_bar_inverse_dynamics_platform(pose.data(), rate.data(), acceleration.data(),
+        u.data()));
 }
 
 inline inverse_dynamics_platform_result inverse_dynamics_platform(In<1> pose, In<1> rate, In<1> acceleration) noexcept
@@ -765,7 +791,8 @@ inline inverse_dynamics_platform_result inverse_dynamics_platform(In<1> pose, In
     return result;
 }
 
-/* Configuration of the tree that closes all loops at the given independent coordinates, on the branch of the guess. See four_bar.h for shapes, units and labels. */
+/* Configuration of the tree that closes all loops at the given independent coordinates, on the branch of the guess.
+   See four_bar.h for shapes, units and labels. */
 struct assemble_result {
     std::array<double, 3> q{};
     Status status{};
@@ -785,7 +812,8 @@ inline assemble_result assemble(In<1> y, In<3> guess) noexcept
     return result;
 }
 
-/* Limb (serial) singularities: 0 where the joint screws of a limb become dependent. See four_bar.h for shapes, units and labels. */
+/* Limb (serial) singularities: 0 where the joint screws of a limb become dependent. See four_bar.h for shapes,
+   units and labels. */
 struct limb_margins_result {
     std::array<double, 1> margins{};
     Status status{};
@@ -805,7 +833,8 @@ inline limb_margins_result limb_margins(In<3> q) noexcept
     return result;
 }
 
-/* Constraint singularity: 0 where the constraints lose rank and a freedom appears. See four_bar.h for shapes, units and labels. */
+/* Constraint singularity: 0 where the constraints lose rank and a freedom appears. See four_bar.h for shapes, units
+   and labels. */
 struct constraint_margin_result {
     std::array<double, 1> margins{};
     Status status{};
@@ -825,7 +854,8 @@ inline constraint_margin_result constraint_margin(In<3> q) noexcept
     return result;
 }
 
-/* Actuation singularities: 0 where a freedom is left with these drives locked. See four_bar.h for shapes, units and labels. */
+/* Actuation singularities: 0 where a freedom is left with these drives locked. See four_bar.h for shapes, units and
+   labels. */
 struct actuation_margins_result {
     std::array<double, 1> margins{};
     Status status{};

@@ -7,7 +7,8 @@
 #include <string.h>
 
 /* Batch functions take 8 states at once; FOUR_BAR_STATE_BY_STATE or FOUR_BAR_SCALAR: one by one. */
-#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && \
+    !defined(FOUR_BAR_STATE_BY_STATE)
 #if defined(__AVX512F__)
 #define FOUR_BAR_WIDE 8
 #elif defined(__AVX__)
@@ -34,7 +35,8 @@ static inline four_bar_wide four_bar_wide_select(four_bar_wide c, four_bar_wide 
     return (four_bar_wide)(((four_bar_wide_mask)a & ~other) | ((four_bar_wide_mask)b & other));
 }
 #endif
-#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && \
+    !defined(FOUR_BAR_STATE_BY_STATE)
 #define FOUR_BAR_ROOM 312
 #define FOUR_BAR_BLOCK(block) block
 #else
@@ -270,7 +272,8 @@ static void function##_block(size_t stride, const double *const *in, double *con
 typedef double four_bar_lanes8 __attribute__((vector_size(64)));
 four_bar_lanes8 _ZGVeN8v_sin(four_bar_lanes8);
 four_bar_lanes8 _ZGVeN8v_cos(four_bar_lanes8);
-FOUR_BAR_UNUSED static inline FOUR_BAR_INLINE void four_bar_sincos_block(size_t sines, size_t cosines, const double *angle, double *sine, double *cosine)
+FOUR_BAR_UNUSED static inline FOUR_BAR_INLINE void four_bar_sincos_block(size_t sines, size_t cosines, const double
+    *angle, double *sine, double *cosine)
 {
     for (size_t k = 0; k < sines || k < cosines; k += 8) {
         four_bar_lanes8 all, found;
@@ -286,7 +289,8 @@ FOUR_BAR_UNUSED static inline FOUR_BAR_INLINE void four_bar_sincos_block(size_t 
     }
 }
 #else
-FOUR_BAR_UNUSED static inline FOUR_BAR_INLINE void four_bar_sincos_block(size_t sines, size_t cosines, const double *angle, double *sine, double *cosine)
+FOUR_BAR_UNUSED static inline FOUR_BAR_INLINE void four_bar_sincos_block(size_t sines, size_t cosines, const double
+    *angle, double *sine, double *cosine)
 {
     for (size_t k = 0; k < sines || k < cosines; k += 4) {
         four_bar_sincos(k < sines ? 4 : 0, k < cosines ? 4 : 0, angle + k, sine + k, cosine + k);
@@ -296,7 +300,8 @@ FOUR_BAR_UNUSED static inline FOUR_BAR_INLINE void four_bar_sincos_block(size_t 
 
 /* Of angles, which a function gives for one state, so many sines and cosines of eight: once for all who call it. */
 #define FOUR_BAR_SINES(angles, SIZE, given, inputs) \
-__attribute__((noinline)) static void angles##_of_eight(size_t stride, FOUR_BAR_ALL given, size_t sines, size_t cosines, \
+__attribute__((noinline)) static void angles##_of_eight(size_t stride, FOUR_BAR_ALL given, size_t sines, size_t \
+    cosines, \
     double *restrict sine, double *restrict cosine) \
 { \
     double angle[SIZE]; \
@@ -352,7 +357,8 @@ int function##_batch_soa(size_t count, size_t stride, FOUR_BAR_ALL given, int *r
 #undef NOT_ABOVE
 #undef RESULT
 
-#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && !defined(FOUR_BAR_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(FOUR_BAR_SCALAR) && \
+    !defined(FOUR_BAR_STATE_BY_STATE)
 #define FOUR_BAR_VECTORS
 /* ... and here as many states as a vector holds: entry k of an argument lies at k * stride. */
 #define BODY(function) __attribute__((noinline)) static void function##_wide
@@ -364,7 +370,8 @@ int function##_batch_soa(size_t count, size_t stride, FOUR_BAR_ALL given, int *r
 #define SQRT(x) four_bar_wide_sqrt(x)
 #define ABS(x) four_bar_wide_abs((x) - FOUR_BAR_ZERO)
 #define LESS(a, b) four_bar_wide_less((a) - FOUR_BAR_ZERO, (b) - FOUR_BAR_ZERO)
-#define SELECT(condition, a, b) four_bar_wide_select((condition) - FOUR_BAR_ZERO, (a) - FOUR_BAR_ZERO, (b) - FOUR_BAR_ZERO)
+#define SELECT(condition, a, b) four_bar_wide_select((condition) - FOUR_BAR_ZERO, (a) - FOUR_BAR_ZERO, (b) - \
+    FOUR_BAR_ZERO)
 #define FOURS four_bar_wide
 #define FOUR(array, k) \
     ((READ(array, k) + READ(array, (k) + 1)) + (READ(array, (k) + 2) + READ(array, (k) + 3)))
@@ -376,8 +383,10 @@ int function##_batch_soa(size_t count, size_t stride, FOUR_BAR_ALL given, int *r
     (void)stride, *(four_bar_wide_there *)total = (four_bar_wide)((four_bar_wide_mask)(sum) | (small))
 #define FINITE(sum) (void)stride, *(four_bar_wide_there *)total = (sum)
 #define UNCHECKED() (void)stride, *(four_bar_wide_there *)total = FOUR_BAR_ZERO
-#define NOT_BELOW(x, low, status) checked0 = (four_bar_wide)((four_bar_wide_mask)checked0 | ~(four_bar_wide_mask)((x) >= (low)))
-#define NOT_ABOVE(x, high, status) checked0 = (four_bar_wide)((four_bar_wide_mask)checked0 | ~(four_bar_wide_mask)((x) <= (high)))
+#define NOT_BELOW(x, low, status) checked0 = (four_bar_wide)((four_bar_wide_mask)checked0 | \
+    ~(four_bar_wide_mask)((x) >= (low)))
+#define NOT_ABOVE(x, high, status) checked0 = (four_bar_wide)((four_bar_wide_mask)checked0 | \
+    ~(four_bar_wide_mask)((x) <= (high)))
 #define RESULT(checked, array, k, x) \
     { const REAL result_ = (x); WRITE(array, k, result_); checked = checked + result_; }
 #include "four_bar_kinematics.c"

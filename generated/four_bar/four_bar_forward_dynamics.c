@@ -51,7 +51,8 @@ BODY(four_bar_forward_dynamics)(size_t stride, const double *restrict q, const d
       t53 = coupler_com_x * t41, /* B */
       t45 = D_null_space_by_A * (gravity_z_rocker_mx * minus_rocker_sin + rocker_sxx * D_joint_acc_still),
       A_reduced_force = t43 - t45, A_mass_matrix_by_B = coupler_sxx + k11 * coupler_cos,
-      t51 = minus_B_null_space_by_A * A_mass_matrix_by_B, t55 = minus_B_null_space_by_A * (A_mass_matrix_by_B - t53),
+      t51 = minus_B_null_space_by_A * A_mass_matrix_by_B, t55 = minus_B_null_space_by_A * (A_mass_matrix_by_B -
+          t53),
       t47 = coupler_cos * (coupler_sxx * coupler_cos), /* coupler */
       t52 = coupler_sxx - t47 + (k8 + (t47 + k10 * coupler_cos)) - t51,
       A_reduced_inertia_by_A = t52 - t55 + D_null_space_by_A * (rocker_sxx * D_null_space_by_A);
@@ -188,7 +189,8 @@ BODY(four_bar_forward_dynamics_reactions)(size_t stride, const double *restrict 
       t53 = coupler_com_x * t41, /* B */
       t45 = D_null_space_by_A * (gravity_z_rocker_mx * minus_rocker_sin + rocker_sxx * D_joint_acc_still),
       A_reduced_force = t43 - t45, A_mass_matrix_by_B = coupler_sxx + k11 * coupler_cos,
-      t51 = minus_B_null_space_by_A * A_mass_matrix_by_B, t55 = minus_B_null_space_by_A * (A_mass_matrix_by_B - t53),
+      t51 = minus_B_null_space_by_A * A_mass_matrix_by_B, t55 = minus_B_null_space_by_A * (A_mass_matrix_by_B -
+          t53),
       t47 = coupler_cos * (coupler_sxx * coupler_cos), /* coupler */
       t52 = coupler_sxx - t47 + (k8 + (t47 + k10 * coupler_cos)) - t51,
       A_reduced_inertia_by_A = t52 - t55 + D_null_space_by_A * (rocker_sxx * D_null_space_by_A);
@@ -209,7 +211,8 @@ BODY(four_bar_forward_dynamics_reactions)(size_t stride, const double *restrict 
       minus_coupler_joint_force_fy = minus_crank_force_y - coupler_cos * coupler_rate_fy,
       minus_coupler_sent_fy = C_multiplier_fy - (coupler_rate_fy + t68),
       t74 = coupler_cos * C_multiplier_fy, /* crank */
-      t78 = A_u + (B_at_z * (minus_coupler_joint_force_fy + t74) + (minus_crank_rate_mz - k8 * A_joint_acc)), /* C */
+      t78 = A_u + (B_at_z * (minus_coupler_joint_force_fy + t74) + (minus_crank_rate_mz - k8 * A_joint_acc)),
+          /* C */
       minus_C_multiplier_fx = t78 / crank_lever_mz_by_C_fx,
       minus_coupler_sent_fx = minus_coupler_rate_fx_2 - minus_C_multiplier_fx,
       t82 = crank_mx * A_joint_acc, /* A */
@@ -234,7 +237,8 @@ BODY(four_bar_forward_dynamics_reactions)(size_t stride, const double *restrict 
     const REAL coupler_position_z = B_at_z * crank_cos, t92 = coupler_position_z * B_reaction_fx, /* B */
       coupler_position_x = B_at_z * crank_sin;
     RESULT(checked0, reactions, 10, t92 - coupler_position_x * B_reaction_fz);
-    const REAL C_reaction_fx = minus_coupler_rotation_xy * C_multiplier_fy + coupler_rotation_xx * minus_C_multiplier_fx;
+    const REAL C_reaction_fx = minus_coupler_rotation_xy * C_multiplier_fy + coupler_rotation_xx *
+        minus_C_multiplier_fx;
     WRITE(reactions, 12, C_reaction_fx);
     const REAL t100 = (coupler_position_z - 0.5 * minus_coupler_rotation_xy) * C_reaction_fx, /* C */
       t97 = minus_coupler_rotation_xy * minus_C_multiplier_fx, /* C */
@@ -247,7 +251,8 @@ BODY(four_bar_forward_dynamics_reactions)(size_t stride, const double *restrict 
     const REAL t146 = per_length * coupler_rotation_xx, /* coupler */
       t111 = t109 + coupler_cos * minus_C_multiplier_fx, t114 = t74 - coupler_sin * minus_C_multiplier_fx,
       t116 = crank_sin * t111 - crank_cos * t114, t122 = crank_cos * t111 + crank_sin * t114,
-      rocker_rate_fy_2 = rocker_m_gravity_z * minus_rocker_sin + rocker_rate_fy, t107 = rocker_cos * rocker_rate_fy_2,
+      rocker_rate_fy_2 = rocker_m_gravity_z * minus_rocker_sin + rocker_rate_fy, t107 = rocker_cos *
+          rocker_rate_fy_2,
       t118 = minus_rocker_sin * rocker_rate_fy_2,
       minus_rocker_rate_fx_2 = minus_rocker_rate_fx - rocker_m_gravity_z * rocker_cos;
     RESULT(checked2, reactions, 18, minus_rocker_sin * minus_rocker_rate_fx_2 + t107 - t116);
@@ -305,10 +310,14 @@ BODY(four_bar_forward_dynamics_reactions)(size_t stride, const double *restrict 
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
         SMALL(minus_C_closure_fx_by_D, 3.01689e-06) OR /* where D does not move the loop at C */
         SMALL(A_reduced_inertia_by_A, 3.264600000000001e-07) OR /* where A feels no inertia */
-        SMALL(crank_lever_mz_by_C_fx, 1.2634000000000003e-06) OR /* where the reciprocal wrench C.fx has no power along crank, as in a stretched limb */
-        SMALL(pivot_0, 0.0001379) OR /* where step 0 of symmetric equations loses rank: of drives, inertia or internal loads */
-        SMALL(pivot_1, 0.00043948) OR /* where step 1 of symmetric equations loses rank: of drives, inertia or internal loads */
-        SMALL(pivot_2, 0.00043948), /* where step 2 of symmetric equations loses rank: of drives, inertia or internal loads */
+        SMALL(crank_lever_mz_by_C_fx, 1.2634000000000003e-06) OR
+            /* where the reciprocal wrench C.fx has no power along crank, as in a stretched limb */
+        SMALL(pivot_0, 0.0001379) OR
+            /* where step 0 of symmetric equations loses rank: of drives, inertia or internal loads */
+        SMALL(pivot_1, 0.00043948) OR
+            /* where step 1 of symmetric equations loses rank: of drives, inertia or internal loads */
+        SMALL(pivot_2, 0.00043948),
+            /* where step 2 of symmetric equations loses rank: of drives, inertia or internal loads */
         (checked0 + checked1) + (checked2 + checked3));
 }
 
@@ -355,7 +364,8 @@ BODY(four_bar_forward_dynamics_dense)(size_t stride, const double *restrict q, c
     const REAL rocker_rate_mz = gravity_z_rocker_mx * minus_rocker_sin;
     checked2 = checked2 + rocker_rate_mz;
     WRITE(load_, 2, -rocker_rate_mz);
-    const REAL coupler_acc_still_y = coupler_sin * (t7 - gravity_z * crank_cos) - coupler_cos * (gravity_z * crank_sin),
+    const REAL coupler_acc_still_y = coupler_sin * (t7 - gravity_z * crank_cos) - coupler_cos * (gravity_z *
+        crank_sin),
       coupler_rate_mz = k7 * coupler_acc_still_y;
     WRITE(load_, 1, -coupler_rate_mz);
     RESULT(checked3, load_, 0, k12 * crank_sin - (coupler_rate_mz - t11) + READ(u, 0));
@@ -565,7 +575,8 @@ BODY(four_bar_forward_dynamics_reactions_wrenches)(size_t stride, const double *
     WRITE(reactions, 12, -t55);
     const REAL t59 = coupler_position_z - 0.5 * minus_coupler_rotation_xy, /* coupler */
       t64 = t59 * t55, t60 = t59 * multipliers_2;
-    RESULT(checked2, reactions, 15, t60 - (coupler_rotation_xx * multipliers_3 - minus_coupler_rotation_xy * multipliers_4));
+    RESULT(checked2, reactions, 15, t60 - (coupler_rotation_xx * multipliers_3 - minus_coupler_rotation_xy *
+        multipliers_4));
     const REAL t66 = coupler_position_x + 0.5 * coupler_rotation_xx, /* coupler */
       t69 = minus_coupler_rotation_xy * multipliers_3,
       C_reactions_fz = minus_coupler_rotation_xy * multipliers_0 + coupler_rotation_xx * multipliers_1;

@@ -21,12 +21,14 @@ BODY(four_bar_inverse_dynamics)(size_t stride, const double *restrict q, const d
     /* rocker: balance, eqs. (40)-(47); geometry */
     const REAL t12 = coupler_sin * C_multiplier_fy, t14 = coupler_cos * C_multiplier_fy, t18 = crank_cos * t12,
       t16 = crank_sin * t12 - crank_cos * t14, minus_rocker_joint_force_my_by_C_fz = k6 * SINES(cosine, 2),
-      minus_rocker_sin = SINES(sine, 2), t17 = minus_rocker_joint_force_my_by_C_fz * t16, t20 = t18 + crank_sin * t14,
+      minus_rocker_sin = SINES(sine, 2), t17 = minus_rocker_joint_force_my_by_C_fz * t16, t20 = t18 + crank_sin *
+          t14,
       minus_rocker_joint_force_mx_by_C_fz = k6 * minus_rocker_sin,
       t22 = t17 + minus_rocker_joint_force_mx_by_C_fz * t20,
       rocker_joint_force_mz = gravity_z_rocker_mx * minus_rocker_sin + rocker_sxx * READ(a, 2) - t22,
       t25 = (crank_sin * coupler_cos + crank_cos * coupler_sin) * minus_rocker_joint_force_my_by_C_fz, /* C */
-      minus_C_closure_fx_by_D = t25 - (crank_sin * coupler_sin - crank_cos * coupler_cos) * minus_rocker_joint_force_mx_by_C_fz;
+      minus_C_closure_fx_by_D = t25 - (crank_sin * coupler_sin - crank_cos * coupler_cos) *
+          minus_rocker_joint_force_mx_by_C_fz;
     REAL checked1 = minus_C_closure_fx_by_D;
     const REAL t29 = B_at_z * coupler_sin * (rocker_joint_force_mz / minus_C_closure_fx_by_D), /* A */
       coupler_omega_z = A_v + READ(v, 1),
@@ -116,8 +118,10 @@ BODY(four_bar_inverse_dynamics_platform)(size_t stride, const double *restrict p
     /* C: loop closure; balance, eqs. (40)-(47) */
     const REAL t39 = minus_rocker_sin * t38, t41 = rocker_cos * t38, t45 = crank_sin * t39,
       t43 = crank_cos * t39 + crank_sin * t41, t47 = t45 - crank_cos * t41, t44 = coupler_cos * t43,
-      coupler_sin = k21 * t12, crank_lever_mz_by_C_fx = 2.0 * t12, minus_C_opening_rate_fx = t44 - coupler_sin * t47,
-      C_opening_rate_fy = coupler_sin * t43 + coupler_cos * t47, minus_C_part_fx_by_A = 1.0 / crank_lever_mz_by_C_fx,
+      coupler_sin = k21 * t12, crank_lever_mz_by_C_fx = 2.0 * t12, minus_C_opening_rate_fx = t44 - coupler_sin *
+          t47,
+      C_opening_rate_fy = coupler_sin * t43 + coupler_cos * t47, minus_C_part_fx_by_A = 1.0 /
+          crank_lever_mz_by_C_fx,
       crank_omega_z = minus_C_opening_rate_fx * minus_C_part_fx_by_A,
       coupler_omega_z = crank_omega_z - 2.0 * (C_opening_rate_fy + crank_lever_mz_by_C_fy * crank_omega_z),
       minus_coupler_U_xx = coupler_omega_z * coupler_omega_z,
@@ -131,7 +135,8 @@ BODY(four_bar_inverse_dynamics_platform)(size_t stride, const double *restrict p
       t25 = t22 - minus_rocker_sin * t23, t29 = t27 + rocker_cos * t23, t33 = crank_sin * t25,
       t31 = crank_cos * t25 - crank_sin * t29, t35 = t33 + crank_cos * t29, t57 = coupler_sin * t31,
       minus_crank_alpha_z = minus_C_part_fx_by_A * (coupler_cos * t31 - coupler_sin * t35 - t56),
-      t61 = coupler_sin * t49 - (t57 + coupler_cos * t35) - crank_lever_mz_by_C_fy * minus_crank_alpha_z, /* coupler */
+      t61 = coupler_sin * t49 - (t57 + coupler_cos * t35) - crank_lever_mz_by_C_fy * minus_crank_alpha_z,
+          /* coupler */
       minus_coupler_alpha_z = minus_crank_alpha_z + 2.0 * t61,
       t63 = coupler_sxx * minus_coupler_alpha_z, /* coupler */
       minus_coupler_joint_force_fy = t88 + coupler_cos * (k7 * minus_coupler_alpha_z),
@@ -145,7 +150,8 @@ BODY(four_bar_inverse_dynamics_platform)(size_t stride, const double *restrict p
       t80 = t75 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * t70 + crank_sin * t72), /* rocker */
       rocker_joint_force_mz = gravity_z_rocker_mx * minus_rocker_sin + rocker_sxx * D_acc + t80,
       t83 = minus_rocker_joint_force_my_by_C_fz * (crank_sin * coupler_cos + crank_cos * coupler_sin),
-      minus_C_closure_fx_by_D = t83 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * coupler_cos - crank_sin * coupler_sin);
+      minus_C_closure_fx_by_D = t83 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * coupler_cos - crank_sin *
+          coupler_sin);
     REAL checked0 = minus_C_closure_fx_by_D;
     const REAL t87 = crank_lever_mz_by_C_fx * (rocker_joint_force_mz / minus_C_closure_fx_by_D), /* A */
       A_balance = t87 - (t91 + (t92 + k12 * crank_sin));
@@ -154,7 +160,8 @@ BODY(four_bar_inverse_dynamics_platform)(size_t stride, const double *restrict p
     /* else status 11: out of reach: limb A does not get there */
     NOT_BELOW(t9, 0.0, 11);
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
-        SMALL(crank_lever_mz_by_C_fx, 3.01689e-10) OR /* where the reciprocal wrench C.fx has no power along crank, as in a stretched limb */
+        SMALL(crank_lever_mz_by_C_fx, 3.01689e-10) OR
+            /* where the reciprocal wrench C.fx has no power along crank, as in a stretched limb */
         SMALL(minus_C_closure_fx_by_D, 5.057800000000001e-10), /* where D does not move the loop at C */
         checked0 + checked1);
 }

@@ -34,7 +34,8 @@ BODY(four_bar_body_poses)(size_t stride, const double *restrict q, double *restr
     const REAL coupler_cos = SINES(cosine, 1), crank_cos = SINES(cosine, 0);
     WRITE(poses, 0, crank_cos);
     WRITE(poses, 8, crank_cos);
-    const REAL coupler_sin = SINES(sine, 1), coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin;
+    const REAL coupler_sin = SINES(sine, 1), coupler_rotation_xx = crank_sin * coupler_cos + crank_cos *
+        coupler_sin;
     /* coupler: results; geometry */
     const REAL t4 = k1 * coupler_rotation_xx, t8 = k2 * coupler_rotation_xx,
       minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos,
@@ -185,7 +186,8 @@ BODY(four_bar_point_motion)(size_t stride, const double *restrict q, const doubl
       t4 = k5 * (crank_sin * coupler_cos + crank_cos * coupler_sin), /* coupler */
       coupler_position_x = B_at_z * crank_sin, coupler_middle_positions_x = coupler_position_x + t4;
     WRITE(positions, 0, coupler_middle_positions_x);
-    const REAL coupler_middle_velocities_z = B_v * coupler_position_x - coupler_omega_z * coupler_middle_positions_x;
+    const REAL coupler_middle_velocities_z = B_v * coupler_position_x - coupler_omega_z *
+        coupler_middle_positions_x;
     WRITE(velocities, 2, coupler_middle_velocities_z);
     const REAL B_a = READ(a, 1), t11 = coupler_omega_z * coupler_middle_velocities_z,
       coupler_twist_rate_wy = READ(a, 0) + B_a, t15 = coupler_twist_rate_wy * coupler_middle_positions_z,
@@ -338,7 +340,8 @@ BODY(four_bar_inverse_velocity)(size_t stride, const double *restrict pose, cons
 {
     (void)pose;
     /* rocker: geometry; balance, eqs. (40)-(47); reciprocal wrenches, eq. (10) */
-    const REAL minus_rocker_sin = SINES(sine, 0), t3 = D_at_x - k6 * minus_rocker_sin, rocker_cos = SINES(cosine, 0),
+    const REAL minus_rocker_sin = SINES(sine, 0), t3 = D_at_x - k6 * minus_rocker_sin, rocker_cos = SINES(cosine,
+        0),
       t4 = t3 * t3, minus_rocker_joint_force_my_by_C_fz = k6 * rocker_cos,
       t5 = minus_rocker_joint_force_my_by_C_fz * minus_rocker_joint_force_my_by_C_fz + t4, t6 = t5 - k14,
       t9 = 0.5 * t6, t11 = k16 - t9 * t9, t12 = SQRT(t11), t14 = SELECT(0.0, -t12, t12);
@@ -365,7 +368,8 @@ BODY(four_bar_inverse_velocity)(size_t stride, const double *restrict pose, cons
     /* else status 11: out of reach: limb A does not get there */
     NOT_BELOW(t11, 0.0, 11);
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
-        SMALL(crank_lever_mz_by_C_fx, 3.01689e-10), /* where the reciprocal wrench C.fx has no power along crank, as in a stretched limb */
+        SMALL(crank_lever_mz_by_C_fx, 3.01689e-10),
+            /* where the reciprocal wrench C.fx has no power along crank, as in a stretched limb */
         checked0 + checked1);
 }
 
@@ -541,7 +545,8 @@ BODY(four_bar_drive_positions)(size_t stride, const double *restrict pose, doubl
       t15 = minus_rocker_joint_force_my_by_C_fz * crank_lever_mx_by_C_fz, /* crank */
       t18 = t3 * crank_lever_mx_by_C_fz, /* crank */
       crank_sin = t6 * (t3 * minus_crank_lever_my_by_C_fz - t15),
-      A_positions = atan2(crank_sin, t6 * (minus_rocker_joint_force_my_by_C_fz * minus_crank_lever_my_by_C_fz + t18));
+      A_positions = atan2(crank_sin, t6 * (minus_rocker_joint_force_my_by_C_fz * minus_crank_lever_my_by_C_fz +
+          t18));
     WRITE(positions, 0, A_positions);
     REAL checked1 = A_positions;
     /* else status 11: out of reach: limb A does not get there */

@@ -117,7 +117,8 @@ BODY(four_bar_velocity)(size_t stride, const double *restrict q, const double *r
     const REAL C_closure_fy_by_D = t7 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz,
       D_joint_rate = B_at_z * coupler_sin * A_y_dot / minus_C_closure_fx_by_D;
     WRITE(v, 2, D_joint_rate);
-    const REAL minus_B_joint_rate = 2.0 * ((0.5 + B_at_z * coupler_cos) * A_y_dot + C_closure_fy_by_D * D_joint_rate);
+    const REAL minus_B_joint_rate = 2.0 * ((0.5 + B_at_z * coupler_cos) * A_y_dot + C_closure_fy_by_D *
+        D_joint_rate);
     REAL checked1 = minus_B_joint_rate;
     WRITE(v, 1, -minus_B_joint_rate);
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
@@ -212,7 +213,8 @@ BODY(four_bar_close_position)(size_t stride, const double *restrict q, double *r
       minus_C_closure_fx_by_D = t10 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz;
     REAL checked0 = minus_C_closure_fx_by_D;
     const REAL C_closure_fy_by_D = t6 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz,
-      t12 = 1.0 / minus_C_closure_fx_by_D, t26 = C_opening_fx * t12, t41 = per_length * C_opening_fx, t42 = t41 * t41,
+      t12 = 1.0 / minus_C_closure_fx_by_D, t26 = C_opening_fx * t12, t41 = per_length * C_opening_fx, t42 = t41 *
+          t41,
       t29 = 2.0 * (minus_C_opening_fy - C_closure_fy_by_D * t26), t43 = per_length * minus_C_opening_fy,
       residual_residual = SQRT(t42 + t43 * t43);
     WRITE(residual_, 0, residual_residual);
@@ -230,7 +232,8 @@ BODY(four_bar_close_position)(size_t stride, const double *restrict q, double *r
     RESULT(checked1, q_next, 2, READ(q, 2) + (t26 + D_null_space_by_A * t36));
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
         SMALL(minus_C_closure_fx_by_D, 3.01689e-10) OR /* where D does not move the loop at C */
-        SMALL(pivot_0, 2.4194e-09), /* where step 0 of symmetric equations loses rank: of drives, inertia or internal loads */
+        SMALL(pivot_0, 2.4194e-09),
+            /* where step 0 of symmetric equations loses rank: of drives, inertia or internal loads */
         (checked0 + checked1) + (checked2 + checked3));
 }
 
@@ -265,7 +268,8 @@ BODY(four_bar_close_velocity)(size_t stride, const double *restrict q, const dou
     WRITE(v_next, 1, -t21);
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
         SMALL(minus_C_closure_fx_by_D, 3.01689e-10) OR /* where D does not move the loop at C */
-        SMALL(pivot_0, 2.4194e-09), /* where step 0 of symmetric equations loses rank: of drives, inertia or internal loads */
+        SMALL(pivot_0, 2.4194e-09),
+            /* where step 0 of symmetric equations loses rank: of drives, inertia or internal loads */
         (checked0 + checked1) + (checked2 + checked3));
 }
 

@@ -44,7 +44,8 @@ BODY(four_bar_momentum_screws)(size_t stride, const double *restrict q, const do
       t67 = crank_momentum_Ly - minus_coupler_momentum_Ly; /* Ly */
     /* rocker: momentum, eq. (31) */
     const REAL t48 = k3 * minus_rocker_sin + k4 * rocker_cos, t54 = D_at_x - D_at_x * t48, t55 = rocker_com_x * t48,
-      t49 = rocker_com_z * t48, t43 = k4 * minus_rocker_sin - k3 * rocker_cos, t58 = t54 + (t55 - rocker_com_z * t43),
+      t49 = rocker_com_z * t48, t43 = k4 * minus_rocker_sin - k3 * rocker_cos, t58 = t54 + (t55 - rocker_com_z *
+          t43),
       D_v = READ(v, 2), rocker_momentum_pz = rocker_m * (D_v * (D_at_x - t58));
     WRITE(momenta, 14, rocker_momentum_pz);
     const REAL pz_total = rocker_momentum_pz - t66;
@@ -124,7 +125,8 @@ BODY(four_bar_momentum_rates)(size_t stride, const double *restrict q, const dou
     /* rocker: geometry; momentum, eq. (31); momentum rate, eq. (35) */
     const REAL minus_rocker_sin = SINES(sine, 2), rocker_cos = SINES(cosine, 2),
       t67 = k3 * minus_rocker_sin + k4 * rocker_cos, t69 = D_at_x - D_at_x * t67, t70 = rocker_com_x * t67,
-      t82 = rocker_com_z * t67, t73 = k4 * minus_rocker_sin - k3 * rocker_cos, t76 = t69 + (t70 - rocker_com_z * t73),
+      t82 = rocker_com_z * t67, t73 = k4 * minus_rocker_sin - k3 * rocker_cos, t76 = t69 + (t70 - rocker_com_z *
+          t73),
       D_v = READ(v, 2), t77 = D_v * t76, rocker_twist_vz = D_at_x * D_v;
     /* rocker: momentum rate, eq. (35); momentum, eq. (31) */
     const REAL t79 = D_v * (rocker_m * (rocker_twist_vz - t77)), t84 = D_at_x * t73 - (rocker_com_x * t73 + t82),

@@ -18,6 +18,75 @@ from __future__ import annotations
 
 import numpy as np
 
+# Names of values: part, quantity, component: limb1_lower_omega_x. Components of screws: fx ... mz of wrenches, wx
+# ... vz of twists, px ... Lz of momenta. Quantities: omega, alpha; U = [alpha]x + [omega]x^2; vel, acc of a link's
+# origin; rate, of the momentum screw; force_x ... moment_z, what a link and all that hangs on it need; sent, what
+# it transmits; still: at joint accelerations zero; by: what a coefficient belongs to; minus_: the opposite; t1, t2
+# ...: the theory has no name for it.
+# Constants: numbers of the description, and what was folded of them.
+B_at_z = 0.15  # [m] point, absolute axes, of B, also offset_x of coupler: 3/20
+D_at_x = 0.64  # [m] point, absolute axes, of D, also offset_x of rocker: 16/25
+coupler_Iyy = 0.025  # [kg m^2] inertia, absolute axes, of coupler: 1/40
+coupler_com_x = 0.2  # [m] centre of mass, absolute axes, of coupler, also at_x of coupler_middle: 1/5
+coupler_phase = 0.9272952180016122  # [rad] what is added to the coordinate of coupler: atan2(C_at_x / crank_m, k7 /
+#      crank_m)
+coupler_sxx = 0.1  # [kg m^2] second moment (sum of m r r), link axes, of coupler
+crank_Ixx = 0.0009375  # [kg m^2] inertia, absolute axes, of crank, also Iyy of crank: 3/3200
+crank_com_z = 0.075  # [m] centre of mass, absolute axes, of crank: 3/40
+crank_m_gravity_z = 4.905  # [m/s^2] 0.5 * gravity_z; also [N] crank_m * gravity_z
+crank_mx = 0.0375  # [kg m] first moment, link axes, of crank: crank_m * crank_com_z
+gravity_z = 9.81  # [m/s^2] acceleration of the effect of gravity: 981/100
+gravity_z_crank_mx = 0.367875  # [N m] gravity_z * crank_mx
+gravity_z_rocker_mx = 3.00186  # [N m] gravity_z * rocker_mx
+per_length = 3.3146717314850727  # [1/m] 1 over the characteristic length
+per_length_B_at_z = 0.4972007597227609  # [1] per_length * B_at_z
+per_length_crank_m = 1.6573358657425363  # [1/m] per_length * 0.5; also [kg/m] per_length * crank_m
+per_length_squared = 10.987048687506249  # [1/m^2] 1 over the square of the characteristic length
+rocker_Iyy = 0.02601  # [kg m^2] inertia, absolute axes, of rocker: 2601/100000
+rocker_com_x = 0.52  # [m] centre of mass, absolute axes, of rocker: 13/25
+rocker_com_z = 0.225  # [m] centre of mass, absolute axes, of rocker: 9/40
+rocker_m = 1.2  # [kg] mass of rocker, coupler: 6/5
+rocker_m_gravity_z = 11.772  # [N] rocker_m * gravity_z
+rocker_mx = 0.306  # [kg m] first moment, link axes, of rocker: rocker_m * (0.47058823529411764 * 0.12 +
+#      0.8823529411764706 * rocker_com_z)
+rocker_phase = 0.4899573262537283  # [rad] what is added to the coordinate of rocker: -atan2((C_at_x - D_at_x) /
+#      0.51, C_at_z / 0.51)
+rocker_sxx = 0.10404  # [kg m^2] second moment (sum of m r r), link axes, of rocker: rocker_Iyy + rocker_mx *
+#      (0.05647058823529412 + 0.19852941176470587)
+k1 = 0.8  # [m/kg] C_at_x / crank_m; also [m] 2 * C_at_x
+k2 = 0.6  # k7 / crank_m
+k3 = 0.47058823529411764  # [1] (D_at_x - C_at_x) / sqrt(0.2601)
+k4 = 0.8823529411764706  # [1] C_at_z / sqrt(0.2601)
+k5 = 0.25  # [m^2] C_at_x * C_at_x + k7 * k7
+k6 = 0.51  # [m] sqrt(0.24 * 0.24 + C_at_z * C_at_z)
+k7 = 0.3  # [m] centre of mass, absolute axes, of coupler, also at_z of coupler_middle: 3/10; also [kg m] first
+#      moment, link axes, of coupler
+k8 = 0.03075  # [kg m^2] crank_sxx + 0.6 * k7 * B_at_z
+k9 = 0.18  # k7 / crank_m * k7
+k10 = 0.09  # k7 * k7
+k11 = 0.045  # B_at_z * k7
+k12 = 2.133675  # 0.2175 * gravity_z
+k13 = 1.690482583057387  # [1] per_length * sqrt(0.0576 + 0.2025)
+k14 = 0.2725  # [m^2] B_at_z * B_at_z + C_at_x * C_at_x + k7 * k7
+k15 = 3.3333333333333335  # [1/m] crank_com_z / (B_at_z * B_at_z)
+k16 = 0.005625  # [m^4] B_at_z * B_at_z * (C_at_x * C_at_x + k7 * k7)
+k17 = 6.666666666666667  # [1/m] 1 / B_at_z
+k18 = 8.0  # k7 / crank_m * 44.44444444444444 * crank_com_z / 0.25
+k19 = 5.333333333333333  # [1/kg] C_at_x / crank_m / B_at_z; also [1] 2 * C_at_x / B_at_z
+k20 = 10.666666666666666  # [1/(kg m^2)] C_at_x / crank_m * 44.44444444444444 * crank_com_z / 0.25; also [1/m^2] 2 *
+#      C_at_x * 44.44444444444444 * crank_com_z / 0.25; also [1/kg] C_at_x / crank_m * 4 * 44.44444444444444 *
+#      crank_com_z; also [1] 2 * C_at_x * 4 * 44.44444444444444 * crank_com_z
+k21 = 13.333333333333334  # [1/m^3] crank_com_z / 0.0225 / (0.16 + 0.09); also [1/m] 4 * crank_com_z / 0.0225
+k22 = 0.2275  # of the mechanism
+k23 = 0.8240286515629687  # [1/m] per_length * 0.5 * per_length * B_at_z; also [kg/m] per_length * crank_m *
+#      per_length * B_at_z
+k24 = 5.4935243437531245  # [1/m^2] per_length * 0.5 * per_length; also [kg/m^2] per_length * crank_m * per_length
+# They are made of these, too, which no statement reads:
+# C_at_x = 0.4 [m] point, absolute axes, of C: 2/5
+# C_at_z = 0.45 [m] point, absolute axes, of C: 9/20
+# crank_m = 0.5 [kg] mass of crank; also [m] sqrt(C_at_x * C_at_x + k7 * k7)
+# crank_sxx = 0.00375 [kg m^2] second moment (sum of m r r), link axes, of crank: crank_Ixx + crank_mx * crank_com_z
+
 
 def _real(argument):
     """An argument as an array of doubles; of complex numbers NumPy would take the real part."""
@@ -205,35 +274,36 @@ def body_poses(*arguments):
         crank_cos = np.cos(A_q)
         crank_sin = np.sin(A_q)
         minus_crank_sin = -crank_sin
-        t1 = 0.9272952180016122 + B_q  # B
+        t1 = coupler_phase + B_q  # B
         # coupler: geometry; results
         coupler_cos = np.cos(t1)
         t2 = crank_sin * coupler_cos
         coupler_sin = np.sin(t1)
         coupler_rotation_xx = t2 + crank_cos * coupler_sin
-        t4 = 0.8 * coupler_rotation_xx
+        t4 = k1 * coupler_rotation_xx
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
-        coupler_poses_Rxx = t4 - 0.6 * minus_coupler_rotation_xy
-        coupler_poses_Rxz = 0.6 * coupler_rotation_xx + 0.8 * minus_coupler_rotation_xy
+        coupler_poses_Rxx = t4 - k2 * minus_coupler_rotation_xy
+        coupler_poses_Rxz = k2 * coupler_rotation_xx + k1 * minus_coupler_rotation_xy
         coupler_poses_Rzx = -coupler_poses_Rxz
-        coupler_poses_x = 0.15 * (crank_sin - coupler_poses_Rxz)
-        coupler_poses_z = 0.15 * (crank_cos - coupler_poses_Rxx)
-        t12 = 0.4899573262537283 - D_q  # D
+        coupler_poses_x = B_at_z * (crank_sin - coupler_poses_Rxz)
+        coupler_poses_z = B_at_z * (crank_cos - coupler_poses_Rxx)
+        t12 = rocker_phase - D_q  # D
         # rocker: geometry; results
         minus_rocker_sin = np.sin(t12)
-        t13 = 0.47058823529411764 * minus_rocker_sin
+        t13 = k3 * minus_rocker_sin
         rocker_cos = np.cos(t12)
-        rocker_poses_Rxx = t13 + 0.8823529411764706 * rocker_cos
-        rocker_poses_Rzx = 0.8823529411764706 * minus_rocker_sin - 0.47058823529411764 * rocker_cos
+        rocker_poses_Rxx = t13 + k4 * rocker_cos
+        rocker_poses_Rzx = k4 * minus_rocker_sin - k3 * rocker_cos
         rocker_poses_Rxz = -rocker_poses_Rzx
-        rocker_poses_x = 0.64 - 0.64 * rocker_poses_Rxx
-        t18 = 0.64 * rocker_poses_Rzx
+        rocker_poses_x = D_at_x - D_at_x * rocker_poses_Rxx
+        t18 = D_at_x * rocker_poses_Rzx
         rocker_poses_z = -t18
+        guards = ()
         return _finish(batch, ((crank_cos, 0.0, minus_crank_sin, 0.0, 1.0, 0.0, crank_sin, 0.0,
             crank_cos, 0.0, 0.0, 0.0, coupler_poses_Rxx, 0.0, coupler_poses_Rzx, 0.0, 1.0, 0.0,
             coupler_poses_Rxz, 0.0, coupler_poses_Rxx, coupler_poses_x, 0.0, coupler_poses_z,
             rocker_poses_Rxx, 0.0, rocker_poses_Rzx, 0.0, 1.0, 0.0, rocker_poses_Rxz, 0.0,
-            rocker_poses_Rxx, rocker_poses_x, 0.0, rocker_poses_z),), (), (coupler_poses_x,
+            rocker_poses_Rxx, rocker_poses_x, 0.0, rocker_poses_z),), guards, (coupler_poses_x,
             coupler_poses_z, rocker_poses_x, t18))
 
 
@@ -263,14 +333,15 @@ def body_twists(*arguments):
     with np.errstate(all="ignore"):
         # coupler: velocities, eq. (6)
         coupler_omega_z = A_v + B_v
-        minus_coupler_twist_vx = B_v * (0.15 * np.cos(A_q))
+        minus_coupler_twist_vx = B_v * (B_at_z * np.cos(A_q))
         coupler_twist_vx = -minus_coupler_twist_vx
-        coupler_twist_vz = B_v * (0.15 * np.sin(A_q))
-        rocker_twist_vz = 0.64 * D_v
+        coupler_twist_vz = B_v * (B_at_z * np.sin(A_q))
+        rocker_twist_vz = D_at_x * D_v
+        guards = ()
         return _finish(batch, ((0.0, A_v, 0.0, 0.0, 0.0, 0.0, 0.0, coupler_omega_z, 0.0,
             coupler_twist_vx, 0.0, coupler_twist_vz, 0.0, D_v, 0.0, 0.0, 0.0, rocker_twist_vz),),
-            (), (coupler_omega_z, minus_coupler_twist_vx, coupler_twist_vz, rocker_twist_vz, B_q,
-            D_q))
+            guards, (coupler_omega_z, minus_coupler_twist_vx, coupler_twist_vz, rocker_twist_vz,
+            B_q, D_q))
 
 
 def body_twist_rates(*arguments):
@@ -301,15 +372,16 @@ def body_twist_rates(*arguments):
     with np.errstate(all="ignore"):
         # coupler: accelerations; geometry
         coupler_twist_rate_wy = A_a + B_a
-        coupler_position_x = 0.15 * np.sin(A_q)
+        coupler_position_x = B_at_z * np.sin(A_q)
         t2 = B_v * (A_v * coupler_position_x)
-        coupler_position_z = 0.15 * np.cos(A_q)
+        coupler_position_z = B_at_z * np.cos(A_q)
         coupler_twist_rate_vx = t2 - B_a * coupler_position_z
         coupler_twist_rate_vz = B_a * coupler_position_x + B_v * (A_v * coupler_position_z)
-        rocker_twist_rate_vz = 0.64 * D_a
+        rocker_twist_rate_vz = D_at_x * D_a
+        guards = ()
         return _finish(batch, ((0.0, A_a, 0.0, 0.0, 0.0, 0.0, 0.0, coupler_twist_rate_wy, 0.0,
             coupler_twist_rate_vx, 0.0, coupler_twist_rate_vz, 0.0, D_a, 0.0, 0.0, 0.0,
-            rocker_twist_rate_vz),), (), (coupler_twist_rate_wy, coupler_twist_rate_vx,
+            rocker_twist_rate_vz),), guards, (coupler_twist_rate_wy, coupler_twist_rate_vx,
             coupler_twist_rate_vz, rocker_twist_rate_vz, B_q, D_q, D_v))
 
 
@@ -333,15 +405,16 @@ def forward_kinematics(*arguments):
     with np.errstate(all="ignore"):
         # crank: geometry
         crank_sin = np.sin(A_q)
-        t1 = 0.9272952180016122 + B_q  # B
-        t3 = 0.15 + 0.25 * np.cos(t1)  # coupler
+        t1 = coupler_phase + B_q  # B
+        t3 = B_at_z + k5 * np.cos(t1)  # coupler
         t4 = crank_sin * t3  # coupler_middle
         crank_cos = np.cos(A_q)
-        t5 = 0.25 * np.sin(t1)  # coupler
+        t5 = k5 * np.sin(t1)  # coupler
         coupler_middle_positions_x = t4 + crank_cos * t5
         coupler_middle_positions_z = crank_cos * t3 - crank_sin * t5
-        return _finish(batch, ((coupler_middle_positions_x, 0.0, coupler_middle_positions_z),), (),
-            (coupler_middle_positions_x, coupler_middle_positions_z, D_q))
+        guards = ()
+        return _finish(batch, ((coupler_middle_positions_x, 0.0, coupler_middle_positions_z),),
+            guards, (coupler_middle_positions_x, coupler_middle_positions_z, D_q))
 
 
 def point_motion(*arguments):
@@ -372,15 +445,15 @@ def point_motion(*arguments):
     with np.errstate(all="ignore"):
         # crank: geometry
         crank_sin = np.sin(A_q)
-        coupler_position_x = 0.15 * crank_sin
-        t1 = 0.9272952180016122 + B_q  # B
+        coupler_position_x = B_at_z * crank_sin
+        t1 = coupler_phase + B_q  # B
         coupler_cos = np.cos(t1)
         t2 = crank_sin * coupler_cos  # coupler
         crank_cos = np.cos(A_q)
         coupler_sin = np.sin(t1)
-        coupler_middle_positions_x = coupler_position_x + 0.25 * (t2 + crank_cos * coupler_sin)
-        coupler_position_z = 0.15 * crank_cos
-        coupler_middle_positions_z = coupler_position_z - 0.25 * (crank_sin * coupler_sin - crank_cos * coupler_cos)
+        coupler_middle_positions_x = coupler_position_x + k5 * (t2 + crank_cos * coupler_sin)
+        coupler_position_z = B_at_z * crank_cos
+        coupler_middle_positions_z = coupler_position_z - k5 * (crank_sin * coupler_sin - crank_cos * coupler_cos)
         minus_coupler_twist_vx = B_v * coupler_position_z
         coupler_omega_z = A_v + B_v
         t9 = minus_coupler_twist_vx - coupler_omega_z * coupler_middle_positions_z  # coupler_middle
@@ -389,13 +462,16 @@ def point_motion(*arguments):
         t11 = coupler_omega_z * coupler_middle_velocities_z  # coupler_middle
         minus_coupler_twist_rate_vx = B_a * coupler_position_z - B_v * (A_v * coupler_position_x)
         coupler_twist_rate_wy = A_a + B_a
-        coupler_middle_accelerations_x = t11 - (minus_coupler_twist_rate_vx - coupler_twist_rate_wy * coupler_middle_positions_z)
+        coupler_middle_accelerations_x = (
+            t11 - (minus_coupler_twist_rate_vx - coupler_twist_rate_wy * coupler_middle_positions_z)
+        )
         coupler_twist_rate_vz = B_a * coupler_position_x + B_v * (A_v * coupler_position_z)
         t21 = coupler_twist_rate_vz - coupler_twist_rate_wy * coupler_middle_positions_x  # coupler_middle
         coupler_middle_accelerations_z = t21 + coupler_omega_z * t9
+        guards = ()
         return _finish(batch, ((coupler_middle_positions_x, 0.0, coupler_middle_positions_z),
             (coupler_middle_velocities_x, 0.0, coupler_middle_velocities_z),
-            (coupler_middle_accelerations_x, 0.0, coupler_middle_accelerations_z)), (),
+            (coupler_middle_accelerations_x, 0.0, coupler_middle_accelerations_z)), guards,
             (coupler_middle_accelerations_x, coupler_middle_accelerations_z, D_q, D_v, D_a))
 
 
@@ -424,19 +500,21 @@ def joint_screws(*arguments):
     with np.errstate(all="ignore"):
         # crank: geometry
         crank_cos = np.cos(A_q)
-        coupler_position_z = 0.15 * crank_cos
+        coupler_position_z = B_at_z * crank_cos
         minus_coupler_position_z = -coupler_position_z
         crank_sin = np.sin(A_q)
-        coupler_position_x = 0.15 * crank_sin
-        t1 = 0.9272952180016122 + B_q  # B
+        coupler_position_x = B_at_z * crank_sin
+        t1 = coupler_phase + B_q  # B
         coupler_sin = np.sin(t1)
         t2 = crank_sin * coupler_sin  # coupler
         coupler_cos = np.cos(t1)
         C_screws_vx = 0.5 * (t2 - crank_cos * coupler_cos) - coupler_position_z
         C_screws_vz = coupler_position_x + 0.5 * (crank_sin * coupler_cos + crank_cos * coupler_sin)
+        guards = ()
         return _finish(batch, ((0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0,
             minus_coupler_position_z, 0.0, coupler_position_x, 0.0, 1.0, 0.0, C_screws_vx, 0.0,
-            C_screws_vz, 0.0, 1.0, 0.0, 0.0, 0.0, 0.64),), (), (C_screws_vx, C_screws_vz, D_q))
+            C_screws_vz, 0.0, 1.0, 0.0, 0.0, 0.0, D_at_x),), guards, (C_screws_vx, C_screws_vz,
+            D_q))
 
 
 def joint_points(*arguments):
@@ -460,17 +538,18 @@ def joint_points(*arguments):
     with np.errstate(all="ignore"):
         # crank: geometry
         crank_sin = np.sin(A_q)
-        coupler_position_x = 0.15 * crank_sin
+        coupler_position_x = B_at_z * crank_sin
         crank_cos = np.cos(A_q)
-        coupler_position_z = 0.15 * crank_cos
-        t1 = 0.9272952180016122 + B_q  # B
+        coupler_position_z = B_at_z * crank_cos
+        t1 = coupler_phase + B_q  # B
         coupler_cos = np.cos(t1)
         t2 = crank_sin * coupler_cos  # coupler
         coupler_sin = np.sin(t1)
         C_points_x = coupler_position_x + 0.5 * (t2 + crank_cos * coupler_sin)
         C_points_z = coupler_position_z - 0.5 * (crank_sin * coupler_sin - crank_cos * coupler_cos)
+        guards = ()
         return _finish(batch, ((0.0, 0.0, 0.0, coupler_position_x, 0.0, coupler_position_z,
-            C_points_x, 0.0, C_points_z, 0.64, 0.0, 0.0),), (), (C_points_x, C_points_z, D_q))
+            C_points_x, 0.0, C_points_z, D_at_x, 0.0, 0.0),), guards, (C_points_x, C_points_z, D_q))
 
 
 def platform_jacobian(*arguments):
@@ -493,8 +572,9 @@ def platform_jacobian(*arguments):
         A_q, B_q, D_q,
     ) = entries
     with np.errstate(all="ignore"):
+        guards = ()
         return _finish(batch, ((0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            1.0, 0.0, 0.0, 0.0, 0.64),), (), (A_q, B_q, D_q))
+            1.0, 0.0, 0.0, 0.0, D_at_x),), guards, (A_q, B_q, D_q))
 
 
 def joint_displacements(*arguments):
@@ -519,7 +599,8 @@ def joint_displacements(*arguments):
         # C: results
         t2 = B_q + (A_q - D_q)
         C_displacements = -t2
-        return _finish(batch, ((A_q, B_q, C_displacements, D_q),), (), (t2,))
+        guards = ()
+        return _finish(batch, ((A_q, B_q, C_displacements, D_q),), guards, (t2,))
 
 
 def joint_rates(*arguments):
@@ -544,7 +625,8 @@ def joint_rates(*arguments):
     with np.errstate(all="ignore"):
         # C: results
         C_rates = D_v - (A_v + B_v)
-        return _finish(batch, ((A_v, B_v, C_rates, D_v),), (), (C_rates, A_q, B_q, D_q))
+        guards = ()
+        return _finish(batch, ((A_v, B_v, C_rates, D_v),), guards, (C_rates, A_q, B_q, D_q))
 
 
 def drive_rates(*arguments):
@@ -567,7 +649,8 @@ def drive_rates(*arguments):
         A_q, B_q, D_q, A_v, B_v, D_v,
     ) = entries
     with np.errstate(all="ignore"):
-        return _finish(batch, ((A_v,),), (), (A_q, B_q, D_q, A_v, B_v, D_v))
+        guards = ()
+        return _finish(batch, ((A_v,),), guards, (A_q, B_q, D_q, A_v, B_v, D_v))
 
 
 def closure(*arguments):
@@ -590,22 +673,23 @@ def closure(*arguments):
     with np.errstate(all="ignore"):
         # crank: geometry
         crank_sin = np.sin(A_q)
-        t1 = 0.9272952180016122 + B_q  # B
+        t1 = coupler_phase + B_q  # B
         coupler_cos = np.cos(t1)
         t2 = crank_sin * coupler_cos  # coupler
         crank_cos = np.cos(A_q)
         coupler_sin = np.sin(t1)
         coupler_rotation_xx = t2 + crank_cos * coupler_sin
-        t5 = 0.15 * crank_sin + 0.5 * coupler_rotation_xx  # coupler
-        t6 = 0.4899573262537283 - D_q  # D
-        t8 = t5 - (0.64 - 0.51 * np.sin(t6))  # C
+        t5 = B_at_z * crank_sin + 0.5 * coupler_rotation_xx  # coupler
+        t6 = rocker_phase - D_q  # D
+        t8 = t5 - (D_at_x - k6 * np.sin(t6))  # C
         t9 = coupler_rotation_xx * t8  # C
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
-        t14 = 0.15 * crank_cos - 0.5 * minus_coupler_rotation_xy - 0.51 * np.cos(t6)  # C
+        t14 = B_at_z * crank_cos - 0.5 * minus_coupler_rotation_xy - k6 * np.cos(t6)  # C
         C_opening_fx = t9 - minus_coupler_rotation_xy * t14
         minus_C_opening_fy = minus_coupler_rotation_xy * t8 + coupler_rotation_xx * t14
         C_opening_fy = -minus_C_opening_fy
-        return _finish(batch, ((C_opening_fx, C_opening_fy, 0.0, 0.0, 0.0),), (), (C_opening_fx,
+        guards = ()
+        return _finish(batch, ((C_opening_fx, C_opening_fy, 0.0, 0.0, 0.0),), guards, (C_opening_fx,
             minus_C_opening_fy))
 
 
@@ -627,25 +711,26 @@ def closure_jacobian(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # B: geometry
-        t1 = 0.9272952180016122 + B_q
+        t1 = coupler_phase + B_q
         coupler_sin = np.sin(t1)
-        crank_lever_mz_by_C_fx = 0.15 * coupler_sin
+        crank_lever_mz_by_C_fx = B_at_z * coupler_sin
         coupler_cos = np.cos(t1)
-        crank_lever_mz_by_C_fy = 0.5 + 0.15 * coupler_cos
+        crank_lever_mz_by_C_fy = 0.5 + B_at_z * coupler_cos
         crank_sin = np.sin(A_q)
         t3 = crank_sin * coupler_sin  # coupler
         crank_cos = np.cos(A_q)
         minus_coupler_rotation_xy = t3 - crank_cos * coupler_cos
-        t5 = 0.4899573262537283 - D_q  # D
-        minus_rocker_joint_force_mx_by_C_fz = 0.51 * np.sin(t5)
+        t5 = rocker_phase - D_q  # D
+        minus_rocker_joint_force_mx_by_C_fz = k6 * np.sin(t5)
         t6 = minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz  # C
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
-        minus_rocker_joint_force_my_by_C_fz = 0.51 * np.cos(t5)
+        minus_rocker_joint_force_my_by_C_fz = k6 * np.cos(t5)
         C_closure_fx_by_D = t6 - coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz
         t10 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
         C_closure_fy_by_D = t10 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
+        guards = ()
         return _finish(batch, ((crank_lever_mz_by_C_fx, crank_lever_mz_by_C_fy, 0.0, 0.0, 0.0, 0.0,
-            0.5, 0.0, 0.0, 0.0, C_closure_fx_by_D, C_closure_fy_by_D, 0.0, 0.0, 0.0),), (),
+            0.5, 0.0, 0.0, 0.0, C_closure_fx_by_D, C_closure_fy_by_D, 0.0, 0.0, 0.0),), guards,
             (crank_lever_mz_by_C_fx, crank_lever_mz_by_C_fy, C_closure_fx_by_D, C_closure_fy_by_D))
 
 
@@ -670,12 +755,12 @@ def closure_bias(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # B: geometry
-        t1 = 0.9272952180016122 + B_q
+        t1 = coupler_phase + B_q
         coupler_cos = np.cos(t1)
         crank_cos = np.cos(A_q)
-        t2 = 0.4899573262537283 - D_q  # D
+        t2 = rocker_phase - D_q  # D
         rocker_cos = np.cos(t2)
-        t3 = 0.51 * (D_v * D_v)  # rocker
+        t3 = k6 * (D_v * D_v)  # rocker
         t4 = rocker_cos * t3  # rocker
         t5 = crank_cos * t4  # C
         crank_sin = np.sin(A_q)
@@ -685,12 +770,13 @@ def closure_bias(*arguments):
         coupler_sin = np.sin(t1)
         t12 = crank_sin * t4 + crank_cos * t6  # C
         t14 = t9 - coupler_sin * t12  # C
-        t15 = 0.15 * (A_v * A_v)  # crank
+        t15 = B_at_z * (A_v * A_v)  # crank
         minus_coupler_acc_still_x = coupler_cos * t15
         coupler_omega_z = A_v + B_v
         C_opening_bias_fx = t14 - (minus_coupler_acc_still_x + 0.5 * (coupler_omega_z * coupler_omega_z))
         C_opening_bias_fy = coupler_sin * t15 - (coupler_sin * t8 + coupler_cos * t12)
-        return _finish(batch, ((C_opening_bias_fx, C_opening_bias_fy, 0.0, 0.0, 0.0),), (),
+        guards = ()
+        return _finish(batch, ((C_opening_bias_fx, C_opening_bias_fy, 0.0, 0.0, 0.0),), guards,
             (C_opening_bias_fx, C_opening_bias_fy))
 
 
@@ -718,28 +804,31 @@ def velocity(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # B: geometry; velocities, eq. (6)
-        t1 = 0.9272952180016122 + B_q
+        t1 = coupler_phase + B_q
         coupler_cos = np.cos(t1)
-        t3 = (0.5 + 0.15 * coupler_cos) * A_y_dot
+        t3 = (0.5 + B_at_z * coupler_cos) * A_y_dot
         crank_sin = np.sin(A_q)
         coupler_sin = np.sin(t1)
         t4 = crank_sin * coupler_sin  # coupler
         crank_cos = np.cos(A_q)
         minus_coupler_rotation_xy = t4 - crank_cos * coupler_cos
-        t6 = 0.4899573262537283 - D_q  # D
-        minus_rocker_joint_force_my_by_C_fz = 0.51 * np.cos(t6)
+        t6 = rocker_phase - D_q  # D
+        minus_rocker_joint_force_my_by_C_fz = k6 * np.cos(t6)
         t7 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
-        minus_rocker_joint_force_mx_by_C_fz = 0.51 * np.sin(t6)
+        minus_rocker_joint_force_mx_by_C_fz = k6 * np.sin(t6)
         C_closure_fy_by_D = t7 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
-        t11 = 0.15 * coupler_sin * A_y_dot  # D
+        t11 = B_at_z * coupler_sin * A_y_dot  # D
         t12 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
         minus_C_closure_fx_by_D = t12 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
         D_joint_rate = t11 / minus_C_closure_fx_by_D
         minus_B_joint_rate = 2.0 * (t3 + C_closure_fy_by_D * D_joint_rate)
         B_joint_rate = -minus_B_joint_rate
-        return _finish(batch, ((A_y_dot, B_joint_rate, D_joint_rate),), ((minus_C_closure_fx_by_D,
-            3.01689e-10),), (minus_C_closure_fx_by_D, minus_B_joint_rate))
+        guards = (  # status 1 where a pivot is smaller than its limit:
+            (minus_C_closure_fx_by_D, 3.01689e-10),  # where D does not move the loop at C
+        )
+        return _finish(batch, ((A_y_dot, B_joint_rate, D_joint_rate),), guards,
+            (minus_C_closure_fx_by_D, minus_B_joint_rate))
 
 
 def null_space(*arguments):
@@ -764,29 +853,31 @@ def null_space(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # B: geometry; rates that follow
-        t1 = 0.9272952180016122 + B_q
+        t1 = coupler_phase + B_q
         coupler_cos = np.cos(t1)
-        crank_lever_mz_by_C_fy = 0.5 + 0.15 * coupler_cos
+        crank_lever_mz_by_C_fy = 0.5 + B_at_z * coupler_cos
         crank_sin = np.sin(A_q)
         coupler_sin = np.sin(t1)
         t3 = crank_sin * coupler_sin  # coupler
         crank_cos = np.cos(A_q)
         minus_coupler_rotation_xy = t3 - crank_cos * coupler_cos
-        t5 = 0.4899573262537283 - D_q  # D
-        minus_rocker_joint_force_my_by_C_fz = 0.51 * np.cos(t5)
+        t5 = rocker_phase - D_q  # D
+        minus_rocker_joint_force_my_by_C_fz = k6 * np.cos(t5)
         t6 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
-        minus_rocker_joint_force_mx_by_C_fz = 0.51 * np.sin(t5)
+        minus_rocker_joint_force_mx_by_C_fz = k6 * np.sin(t5)
         C_closure_fy_by_D = t6 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
-        crank_lever_mz_by_C_fx = 0.15 * coupler_sin
+        crank_lever_mz_by_C_fx = B_at_z * coupler_sin
         t10 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
         minus_C_closure_fx_by_D = t10 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
         D_null_space_by_A = crank_lever_mz_by_C_fx / minus_C_closure_fx_by_D
         minus_B_null_space_by_A = 2.0 * (crank_lever_mz_by_C_fy + C_closure_fy_by_D * D_null_space_by_A)
         B_null_space_by_A = -minus_B_null_space_by_A
-        return _finish(batch, ((1.0, B_null_space_by_A, D_null_space_by_A),),
-            ((minus_C_closure_fx_by_D, 3.01689e-10),), (minus_C_closure_fx_by_D,
-            minus_B_null_space_by_A))
+        guards = (  # status 1 where a pivot is smaller than its limit:
+            (minus_C_closure_fx_by_D, 3.01689e-10),  # where D does not move the loop at C
+        )
+        return _finish(batch, ((1.0, B_null_space_by_A, D_null_space_by_A),), guards,
+            (minus_C_closure_fx_by_D, minus_B_null_space_by_A))
 
 
 def acceleration(*arguments):
@@ -815,14 +906,14 @@ def acceleration(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # B: geometry; accelerations
-        t1 = 0.9272952180016122 + B_q
+        t1 = coupler_phase + B_q
         coupler_sin = np.sin(t1)
-        t2 = 0.15 * (A_v * A_v)  # crank
+        t2 = B_at_z * (A_v * A_v)  # crank
         coupler_acc_still_y = coupler_sin * t2
         crank_cos = np.cos(A_q)
-        t3 = 0.4899573262537283 - D_q  # D
+        t3 = rocker_phase - D_q  # D
         rocker_cos = np.cos(t3)
-        t4 = 0.51 * (D_v * D_v)  # rocker
+        t4 = k6 * (D_v * D_v)  # rocker
         t5 = rocker_cos * t4  # rocker
         t6 = crank_cos * t5  # C
         crank_sin = np.sin(A_q)
@@ -833,25 +924,28 @@ def acceleration(*arguments):
         coupler_cos = np.cos(t1)
         t13 = crank_sin * t5 + crank_cos * t7  # C
         C_opening_bias_fy = coupler_acc_still_y - (t10 + coupler_cos * t13)
-        t18 = C_opening_bias_fy + (0.5 + 0.15 * coupler_cos) * A_y_ddot
+        t18 = C_opening_bias_fy + (0.5 + B_at_z * coupler_cos) * A_y_ddot
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
-        minus_rocker_joint_force_my_by_C_fz = 0.51 * rocker_cos
+        minus_rocker_joint_force_my_by_C_fz = k6 * rocker_cos
         t21 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
-        minus_rocker_joint_force_mx_by_C_fz = 0.51 * minus_rocker_sin
+        minus_rocker_joint_force_mx_by_C_fz = k6 * minus_rocker_sin
         C_closure_fy_by_D = t21 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
         t27 = coupler_cos * t9 - coupler_sin * t13  # C
         minus_coupler_acc_still_x = coupler_cos * t2
         coupler_omega_z = A_v + B_v
         C_opening_bias_fx = t27 - (minus_coupler_acc_still_x + 0.5 * (coupler_omega_z * coupler_omega_z))
-        t31 = C_opening_bias_fx + 0.15 * coupler_sin * A_y_ddot  # D
+        t31 = C_opening_bias_fx + B_at_z * coupler_sin * A_y_ddot  # D
         t32 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
         minus_C_closure_fx_by_D = t32 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
         D_joint_acc = t31 / minus_C_closure_fx_by_D
         minus_B_joint_acc = 2.0 * (t18 + C_closure_fy_by_D * D_joint_acc)
         B_joint_acc = -minus_B_joint_acc
-        return _finish(batch, ((A_y_ddot, B_joint_acc, D_joint_acc),), ((minus_C_closure_fx_by_D,
-            3.01689e-10),), (minus_C_closure_fx_by_D, minus_B_joint_acc))
+        guards = (  # status 1 where a pivot is smaller than its limit:
+            (minus_C_closure_fx_by_D, 3.01689e-10),  # where D does not move the loop at C
+        )
+        return _finish(batch, ((A_y_ddot, B_joint_acc, D_joint_acc),), guards,
+            (minus_C_closure_fx_by_D, minus_B_joint_acc))
 
 
 def momentum_screws(*arguments):
@@ -882,60 +976,63 @@ def momentum_screws(*arguments):
     with np.errstate(all="ignore"):
         # crank: geometry; momentum, eq. (31)
         crank_cos = np.cos(A_q)
-        t1 = 0.075 * crank_cos
+        t1 = crank_com_z * crank_cos
         crank_momentum_px = 0.5 * (A_v * t1)
         crank_sin = np.sin(A_q)
-        t3 = 0.075 * crank_sin
+        t3 = crank_com_z * crank_sin
         minus_crank_momentum_pz = 0.5 * (A_v * t3)
         crank_momentum_pz = -minus_crank_momentum_pz
-        crank_momentum_Ly = t1 * crank_momentum_px + t3 * minus_crank_momentum_pz + 0.0009375 * A_v
+        crank_momentum_Ly = t1 * crank_momentum_px + t3 * minus_crank_momentum_pz + crank_Ixx * A_v
         # coupler: geometry; velocities, eq. (6)
-        coupler_position_z = 0.15 * crank_cos
+        coupler_position_z = B_at_z * crank_cos
         minus_coupler_twist_vx = B_v * coupler_position_z
         coupler_omega_z = A_v + B_v
-        t9 = 0.9272952180016122 + B_q  # B
+        t9 = coupler_phase + B_q  # B
         coupler_cos = np.cos(t9)
         t10 = crank_sin * coupler_cos
         coupler_sin = np.sin(t9)
         coupler_rotation_xx = t10 + crank_cos * coupler_sin
         # coupler: momentum, eq. (31); geometry; velocities, eq. (6)
-        t12 = 0.8 * coupler_rotation_xx
+        t12 = k1 * coupler_rotation_xx
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
-        t16 = t12 - 0.6 * minus_coupler_rotation_xy
-        t18 = coupler_position_z - 0.15 * t16
-        t21 = 0.6 * coupler_rotation_xx + 0.8 * minus_coupler_rotation_xy
-        t25 = t18 - (0.2 * t21 - 0.3 * t16)
-        minus_coupler_momentum_px = 1.2 * (minus_coupler_twist_vx - coupler_omega_z * t25)
+        t16 = t12 - k2 * minus_coupler_rotation_xy
+        t18 = coupler_position_z - B_at_z * t16
+        t21 = k2 * coupler_rotation_xx + k1 * minus_coupler_rotation_xy
+        t25 = t18 - (coupler_com_x * t21 - k7 * t16)
+        minus_coupler_momentum_px = rocker_m * (minus_coupler_twist_vx - coupler_omega_z * t25)
         coupler_momentum_px = -minus_coupler_momentum_px
-        coupler_position_x = 0.15 * crank_sin
+        coupler_position_x = B_at_z * crank_sin
         coupler_twist_vz = B_v * coupler_position_x
-        t33 = coupler_position_x - 0.15 * t21 + (0.2 * t16 + 0.3 * t21)
-        coupler_momentum_pz = 1.2 * (coupler_twist_vz - coupler_omega_z * t33)
-        minus_coupler_momentum_Ly = t25 * minus_coupler_momentum_px + t33 * coupler_momentum_pz - 0.025 * coupler_omega_z
+        t33 = coupler_position_x - B_at_z * t21 + (coupler_com_x * t16 + k7 * t21)
+        coupler_momentum_pz = rocker_m * (coupler_twist_vz - coupler_omega_z * t33)
+        minus_coupler_momentum_Ly = (
+            t25 * minus_coupler_momentum_px + t33 * coupler_momentum_pz - coupler_Iyy * coupler_omega_z
+        )
         coupler_momentum_Ly = -minus_coupler_momentum_Ly
-        t40 = 0.4899573262537283 - D_q  # D
+        t40 = rocker_phase - D_q  # D
         # rocker: geometry
         minus_rocker_sin = np.sin(t40)
         # rocker: momentum, eq. (31); geometry
-        t41 = 0.8823529411764706 * minus_rocker_sin
+        t41 = k4 * minus_rocker_sin
         rocker_cos = np.cos(t40)
-        t43 = t41 - 0.47058823529411764 * rocker_cos
-        t44 = 0.64 * t43
-        t45 = 0.52 * t43
-        t48 = 0.47058823529411764 * minus_rocker_sin + 0.8823529411764706 * rocker_cos
-        t51 = t44 - (t45 + 0.225 * t48)
-        minus_rocker_momentum_px = 1.2 * (D_v * t51)
+        t43 = t41 - k3 * rocker_cos
+        t44 = D_at_x * t43
+        t45 = rocker_com_x * t43
+        t48 = k3 * minus_rocker_sin + k4 * rocker_cos
+        t51 = t44 - (t45 + rocker_com_z * t48)
+        minus_rocker_momentum_px = rocker_m * (D_v * t51)
         rocker_momentum_px = -minus_rocker_momentum_px
-        t58 = 0.64 - 0.64 * t48 + (0.52 * t48 - 0.225 * t43)
-        rocker_momentum_pz = 1.2 * (D_v * (0.64 - t58))
-        rocker_momentum_Ly = 0.02601 * D_v + (t51 * minus_rocker_momentum_px - t58 * rocker_momentum_pz)
+        t58 = D_at_x - D_at_x * t48 + (rocker_com_x * t48 - rocker_com_z * t43)
+        rocker_momentum_pz = rocker_m * (D_v * (D_at_x - t58))
+        rocker_momentum_Ly = rocker_Iyy * D_v + (t51 * minus_rocker_momentum_px - t58 * rocker_momentum_pz)
         px_total = crank_momentum_px - minus_coupler_momentum_px - minus_rocker_momentum_px
         pz_total = rocker_momentum_pz - (minus_crank_momentum_pz - coupler_momentum_pz)
         Ly_total = crank_momentum_Ly - minus_coupler_momentum_Ly + rocker_momentum_Ly
+        guards = ()
         return _finish(batch, ((crank_momentum_px, 0.0, crank_momentum_pz, 0.0, crank_momentum_Ly,
             0.0, coupler_momentum_px, 0.0, coupler_momentum_pz, 0.0, coupler_momentum_Ly, 0.0,
             rocker_momentum_px, 0.0, rocker_momentum_pz, 0.0, rocker_momentum_Ly, 0.0), (px_total,
-            0.0, pz_total, 0.0, Ly_total, 0.0)), (), (px_total, pz_total, Ly_total))
+            0.0, pz_total, 0.0, Ly_total, 0.0)), guards, (px_total, pz_total, Ly_total))
 
 
 def momentum_rates(*arguments):
@@ -966,75 +1063,76 @@ def momentum_rates(*arguments):
         # crank: geometry
         crank_cos = np.cos(A_q)
         # crank: momentum rate, eq. (35); geometry; momentum, eq. (31)
-        t1 = 0.075 * crank_cos
+        t1 = crank_com_z * crank_cos
         t3 = 0.5 * (A_a * t1)
         crank_sin = np.sin(A_q)
-        t4 = 0.075 * crank_sin
+        t4 = crank_com_z * crank_sin
         crank_rate_at_O_fx = t3 - A_v * (0.5 * (A_v * t4))
         t8 = A_v * (0.5 * (A_v * t1))
         t10 = 0.5 * (A_a * t4)
         minus_crank_rate_at_O_fz = t8 + t10
         crank_rate_at_O_fz = -minus_crank_rate_at_O_fz
-        crank_rate_at_O_my = t1 * t3 + t4 * t10 + 0.0009375 * A_a
+        crank_rate_at_O_my = t1 * t3 + t4 * t10 + crank_Ixx * A_a
         # coupler: velocities, eq. (6); geometry; momentum, eq. (31)
         coupler_omega_z = A_v + B_v
-        coupler_position_x = 0.15 * crank_sin
+        coupler_position_x = B_at_z * crank_sin
         coupler_twist_vz = B_v * coupler_position_x
-        t15 = 0.9272952180016122 + B_q  # B
+        t15 = coupler_phase + B_q  # B
         coupler_cos = np.cos(t15)
         t16 = crank_sin * coupler_cos
         coupler_sin = np.sin(t15)
         coupler_rotation_xx = t16 + crank_cos * coupler_sin
-        t18 = 0.6 * coupler_rotation_xx
+        t18 = k2 * coupler_rotation_xx
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
-        t22 = t18 + 0.8 * minus_coupler_rotation_xy
-        t24 = coupler_position_x - 0.15 * t22
-        t27 = 0.8 * coupler_rotation_xx - 0.6 * minus_coupler_rotation_xy
-        t31 = t24 + (0.2 * t27 + 0.3 * t22)
-        coupler_momentum_pz = 1.2 * (coupler_twist_vz - coupler_omega_z * t31)
+        t22 = t18 + k1 * minus_coupler_rotation_xy
+        t24 = coupler_position_x - B_at_z * t22
+        t27 = k1 * coupler_rotation_xx - k2 * minus_coupler_rotation_xy
+        t31 = t24 + (coupler_com_x * t27 + k7 * t22)
+        coupler_momentum_pz = rocker_m * (coupler_twist_vz - coupler_omega_z * t31)
         t34 = coupler_omega_z * coupler_momentum_pz
-        coupler_position_z = 0.15 * crank_cos
+        coupler_position_z = B_at_z * crank_cos
         minus_coupler_twist_rate_vx = B_a * coupler_position_z - B_v * (A_v * coupler_position_x)
         coupler_twist_rate_wy = A_a + B_a
         # coupler: momentum rate, eq. (35); velocities, eq. (6); momentum, eq. (31)
-        t43 = coupler_position_z - 0.15 * t27 - (0.2 * t22 - 0.3 * t27)
-        t46 = 1.2 * (minus_coupler_twist_rate_vx - coupler_twist_rate_wy * t43)
+        t43 = coupler_position_z - B_at_z * t27 - (coupler_com_x * t22 - k7 * t27)
+        t46 = rocker_m * (minus_coupler_twist_rate_vx - coupler_twist_rate_wy * t43)
         coupler_rate_at_O_fx = t34 - t46
         minus_coupler_twist_vx = B_v * coupler_position_z
-        minus_coupler_momentum_px = 1.2 * (minus_coupler_twist_vx - coupler_omega_z * t43)
+        minus_coupler_momentum_px = rocker_m * (minus_coupler_twist_vx - coupler_omega_z * t43)
         t49 = coupler_omega_z * minus_coupler_momentum_px
         t54 = B_a * coupler_position_x + B_v * (A_v * coupler_position_z) - coupler_twist_rate_wy * t31
-        t55 = 1.2 * t54
+        t55 = rocker_m * t54
         coupler_rate_at_O_fz = t49 + t55
         t58 = coupler_twist_vz * minus_coupler_momentum_px - minus_coupler_twist_vx * coupler_momentum_pz
-        minus_coupler_rate_at_O_my = t58 + (t43 * t46 + t31 * t55 - 0.025 * coupler_twist_rate_wy)
+        minus_coupler_rate_at_O_my = t58 + (t43 * t46 + t31 * t55 - coupler_Iyy * coupler_twist_rate_wy)
         coupler_rate_at_O_my = -minus_coupler_rate_at_O_my
         # rocker: velocities, eq. (6); geometry; momentum, eq. (31)
-        rocker_twist_vz = 0.64 * D_v
-        t64 = 0.4899573262537283 - D_q  # D
+        rocker_twist_vz = D_at_x * D_v
+        t64 = rocker_phase - D_q  # D
         minus_rocker_sin = np.sin(t64)
-        t65 = 0.47058823529411764 * minus_rocker_sin
+        t65 = k3 * minus_rocker_sin
         rocker_cos = np.cos(t64)
-        t67 = t65 + 0.8823529411764706 * rocker_cos
-        t69 = 0.64 - 0.64 * t67
-        t70 = 0.52 * t67
-        t73 = 0.8823529411764706 * minus_rocker_sin - 0.47058823529411764 * rocker_cos
-        t76 = t69 + (t70 - 0.225 * t73)
+        t67 = t65 + k4 * rocker_cos
+        t69 = D_at_x - D_at_x * t67
+        t70 = rocker_com_x * t67
+        t73 = k4 * minus_rocker_sin - k3 * rocker_cos
+        t76 = t69 + (t70 - rocker_com_z * t73)
         # rocker: momentum rate, eq. (35); momentum, eq. (31)
-        t79 = D_v * (1.2 * (rocker_twist_vz - D_v * t76))
-        t84 = 0.64 * t73 - (0.52 * t73 + 0.225 * t67)
-        t86 = 1.2 * (D_a * t84)
+        t79 = D_v * (rocker_m * (rocker_twist_vz - D_v * t76))
+        t84 = D_at_x * t73 - (rocker_com_x * t73 + rocker_com_z * t67)
+        t86 = rocker_m * (D_a * t84)
         rocker_rate_at_O_fx = t79 - t86
-        minus_rocker_momentum_px = 1.2 * (D_v * t84)
+        minus_rocker_momentum_px = rocker_m * (D_v * t84)
         t88 = D_v * minus_rocker_momentum_px
-        t91 = 1.2 * (D_a * (0.64 - t76))
+        t91 = rocker_m * (D_a * (D_at_x - t76))
         rocker_rate_at_O_fz = t88 + t91
-        t96 = 0.02601 * D_a + (t84 * t86 - t76 * t91)
+        t96 = rocker_Iyy * D_a + (t84 * t86 - t76 * t91)
         rocker_rate_at_O_my = t96 - rocker_twist_vz * minus_rocker_momentum_px
+        guards = ()
         return _finish(batch, ((crank_rate_at_O_fx, 0.0, crank_rate_at_O_fz, 0.0,
             crank_rate_at_O_my, 0.0, coupler_rate_at_O_fx, 0.0, coupler_rate_at_O_fz, 0.0,
             coupler_rate_at_O_my, 0.0, rocker_rate_at_O_fx, 0.0, rocker_rate_at_O_fz, 0.0,
-            rocker_rate_at_O_my, 0.0),), (), (crank_rate_at_O_fx, minus_crank_rate_at_O_fz,
+            rocker_rate_at_O_my, 0.0),), guards, (crank_rate_at_O_fx, minus_crank_rate_at_O_fz,
             crank_rate_at_O_my, coupler_rate_at_O_fx, coupler_rate_at_O_fz,
             minus_coupler_rate_at_O_my, rocker_rate_at_O_fx, rocker_rate_at_O_fz,
             rocker_rate_at_O_my))
@@ -1061,19 +1159,20 @@ def energy(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # rocker: energy
-        rocker_energy_kinetic_up_to = 0.03075 * (A_v * A_v) + 0.10404 * (D_v * D_v)
-        t2 = 0.9272952180016122 + B_q  # B
+        rocker_energy_kinetic_up_to = k8 * (A_v * A_v) + rocker_sxx * (D_v * D_v)
+        t2 = coupler_phase + B_q  # B
         coupler_cos = np.cos(t2)
-        coupler_vel_y = coupler_cos * (0.15 * A_v)
+        coupler_vel_y = coupler_cos * (B_at_z * A_v)
         coupler_omega_z = A_v + B_v
-        t6 = rocker_energy_kinetic_up_to + coupler_vel_y * (0.6 * coupler_omega_z)  # coupler
-        kinetic_energy = 0.5 * (t6 + 0.1 * (coupler_omega_z * coupler_omega_z))
+        t6 = rocker_energy_kinetic_up_to + coupler_vel_y * (k2 * coupler_omega_z)  # coupler
+        kinetic_energy = 0.5 * (t6 + coupler_sxx * (coupler_omega_z * coupler_omega_z))
         crank_cos = np.cos(A_q)
-        t11 = 0.367875 * crank_cos + 3.00186 * np.cos(0.4899573262537283 - D_q)  # potential
-        t12 = 0.18 * crank_cos  # crank
-        t15 = 0.3 * (np.sin(A_q) * np.sin(t2) - crank_cos * coupler_cos)  # coupler
-        potential_energy = t11 + 9.81 * (t12 - t15)
-        return _finish(batch, ((kinetic_energy, potential_energy),), (), (kinetic_energy,
+        t11 = gravity_z_crank_mx * crank_cos + gravity_z_rocker_mx * np.cos(rocker_phase - D_q)  # potential
+        t12 = k9 * crank_cos  # crank
+        t15 = k7 * (np.sin(A_q) * np.sin(t2) - crank_cos * coupler_cos)  # coupler
+        potential_energy = t11 + gravity_z * (t12 - t15)
+        guards = ()
+        return _finish(batch, ((kinetic_energy, potential_energy),), guards, (kinetic_energy,
             potential_energy))
 
 
@@ -1096,12 +1195,14 @@ def mass_matrix(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # coupler: geometry; inertia
-        coupler_cos = np.cos(0.9272952180016122 + B_q)
-        t3 = coupler_cos * (0.1 * coupler_cos)
-        A_mass_matrix_by_A = 0.1 - t3 + (0.03075 + (t3 + 0.09 * coupler_cos))
-        A_mass_matrix_by_B = 0.1 + 0.045 * coupler_cos
+        coupler_cos = np.cos(coupler_phase + B_q)
+        t3 = coupler_cos * (coupler_sxx * coupler_cos)
+        A_mass_matrix_by_A = coupler_sxx - t3 + (k8 + (t3 + k10 * coupler_cos))
+        A_mass_matrix_by_B = coupler_sxx + k11 * coupler_cos
+        guards = ()
         return _finish(batch, ((A_mass_matrix_by_A, A_mass_matrix_by_B, 0.0, A_mass_matrix_by_B,
-            0.1, 0.0, 0.0, 0.0, 0.10404),), (), (A_mass_matrix_by_A, A_mass_matrix_by_B, A_q, D_q))
+            coupler_sxx, 0.0, 0.0, 0.0, rocker_sxx),), guards, (A_mass_matrix_by_A,
+            A_mass_matrix_by_B, A_q, D_q))
 
 
 def bias(*arguments):
@@ -1126,17 +1227,18 @@ def bias(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # B: geometry
-        t1 = 0.9272952180016122 + B_q
+        t1 = coupler_phase + B_q
         coupler_sin = np.sin(t1)
-        t4 = coupler_sin * (0.15 * (A_v * A_v) - 9.81 * np.cos(A_q))  # coupler
+        t4 = coupler_sin * (B_at_z * (A_v * A_v) - gravity_z * np.cos(A_q))  # coupler
         coupler_cos = np.cos(t1)
         crank_sin = np.sin(A_q)
-        coupler_rate_mz = 0.3 * (t4 - coupler_cos * (9.81 * crank_sin))
+        coupler_rate_mz = k7 * (t4 - coupler_cos * (gravity_z * crank_sin))
         coupler_omega_z = A_v + B_v
-        t7 = coupler_rate_mz - 0.15 * (coupler_sin * (0.3 * (coupler_omega_z * coupler_omega_z)))  # crank
-        crank_moment_z = t7 - 2.133675 * crank_sin
-        rocker_rate_mz = 3.00186 * np.sin(0.4899573262537283 - D_q)
-        return _finish(batch, ((crank_moment_z, coupler_rate_mz, rocker_rate_mz),), (),
+        t7 = coupler_rate_mz - B_at_z * (coupler_sin * (k7 * (coupler_omega_z * coupler_omega_z)))  # crank
+        crank_moment_z = t7 - k12 * crank_sin
+        rocker_rate_mz = gravity_z_rocker_mx * np.sin(rocker_phase - D_q)
+        guards = ()
+        return _finish(batch, ((crank_moment_z, coupler_rate_mz, rocker_rate_mz),), guards,
             (crank_moment_z, rocker_rate_mz, D_v))
 
 
@@ -1164,37 +1266,43 @@ def inverse_dynamics(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # B: geometry
-        t1 = 0.9272952180016122 + B_q
+        t1 = coupler_phase + B_q
         coupler_sin = np.sin(t1)
-        crank_lever_mz_by_C_fx = 0.15 * coupler_sin
-        t2 = 0.4899573262537283 - D_q  # D
+        crank_lever_mz_by_C_fx = B_at_z * coupler_sin
+        t2 = rocker_phase - D_q  # D
         minus_rocker_sin = np.sin(t2)
-        rocker_rate_mz_2 = 3.00186 * minus_rocker_sin + 0.10404 * D_a
-        minus_rocker_joint_force_my_by_C_fz = 0.51 * np.cos(t2)
+        rocker_rate_mz_2 = gravity_z_rocker_mx * minus_rocker_sin + rocker_sxx * D_a
+        minus_rocker_joint_force_my_by_C_fz = k6 * np.cos(t2)
         crank_sin = np.sin(A_q)
         coupler_twist_rate_wy = A_a + B_a
-        t4 = 0.1 * coupler_twist_rate_wy  # coupler
-        t5 = 0.15 * (A_v * A_v)  # crank
+        t4 = coupler_sxx * coupler_twist_rate_wy  # coupler
+        t5 = B_at_z * (A_v * A_v)  # crank
         crank_cos = np.cos(A_q)
-        t7 = coupler_sin * (t5 - 9.81 * crank_cos)  # coupler
+        t7 = coupler_sin * (t5 - gravity_z * crank_cos)  # coupler
         coupler_cos = np.cos(t1)
-        t11 = 0.3 * (t7 + coupler_cos * (0.15 * A_a - 9.81 * crank_sin))  # coupler
+        t11 = k7 * (t7 + coupler_cos * (B_at_z * A_a - gravity_z * crank_sin))  # coupler
         C_multiplier_fy = 2.0 * (t4 + t11)
         t12 = coupler_sin * C_multiplier_fy  # rocker
         t13 = crank_sin * t12  # rocker
         t14 = coupler_cos * C_multiplier_fy  # rocker
         t17 = minus_rocker_joint_force_my_by_C_fz * (t13 - crank_cos * t14)  # rocker
-        minus_rocker_joint_force_mx_by_C_fz = 0.51 * minus_rocker_sin
-        rocker_joint_force_mz = rocker_rate_mz_2 - (t17 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * t12 + crank_sin * t14))
+        minus_rocker_joint_force_mx_by_C_fz = k6 * minus_rocker_sin
+        rocker_joint_force_mz = (
+            rocker_rate_mz_2 - (t17 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * t12 + crank_sin * t14))
+        )
         t25 = (crank_sin * coupler_cos + crank_cos * coupler_sin) * minus_rocker_joint_force_my_by_C_fz  # C
-        minus_C_closure_fx_by_D = t25 - (crank_sin * coupler_sin - crank_cos * coupler_cos) * minus_rocker_joint_force_mx_by_C_fz
+        minus_C_closure_fx_by_D = (
+            t25 - (crank_sin * coupler_sin - crank_cos * coupler_cos) * minus_rocker_joint_force_mx_by_C_fz
+        )
         t29 = crank_lever_mz_by_C_fx * (rocker_joint_force_mz / minus_C_closure_fx_by_D)  # A
         coupler_omega_z = A_v + B_v
-        minus_crank_force_y = coupler_sin * (0.3 * (coupler_omega_z * coupler_omega_z))
-        t32 = 0.15 * (minus_crank_force_y - coupler_cos * (0.3 * coupler_twist_rate_wy) + t14)  # crank
-        A_balance = t29 - (t32 + (2.133675 * crank_sin - 0.03075 * A_a))
-        return _finish(batch, ((A_balance,),), ((minus_C_closure_fx_by_D, 5.057800000000001e-10),),
-            (minus_C_closure_fx_by_D, A_balance, D_v))
+        minus_crank_force_y = coupler_sin * (k7 * (coupler_omega_z * coupler_omega_z))
+        t32 = B_at_z * (minus_crank_force_y - coupler_cos * (k7 * coupler_twist_rate_wy) + t14)  # crank
+        A_balance = t29 - (t32 + (k12 * crank_sin - k8 * A_a))
+        guards = (  # status 1 where a pivot is smaller than its limit:
+            (minus_C_closure_fx_by_D, 5.057800000000001e-10),  # where D does not move the loop at C
+        )
+        return _finish(batch, ((A_balance,),), guards, (minus_C_closure_fx_by_D, A_balance, D_v))
 
 
 def inverse_dynamics_independent(*arguments):
@@ -1216,33 +1324,34 @@ def inverse_dynamics_independent(*arguments):
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
     Operations: 112 (add 35, mul 67, div 1, trig 6, compare 3)
     """
-    entries, batch = _entries("inverse_dynamics_independent", {"q": 3, "y_dot": 1, "y_ddot": 1}, arguments)
+    entries, batch = _entries("inverse_dynamics_independent", {"q": 3, "y_dot": 1, "y_ddot": 1},
+        arguments)
     (
         A_q, B_q, D_q, A_y_dot, A_y_ddot,
     ) = entries
     with np.errstate(all="ignore"):
         # B: geometry; velocities, eq. (6); accelerations
-        t1 = 0.9272952180016122 + B_q
+        t1 = coupler_phase + B_q
         coupler_sin = np.sin(t1)
-        crank_lever_mz_by_C_fx = 0.15 * coupler_sin
+        crank_lever_mz_by_C_fx = B_at_z * coupler_sin
         crank_sin = np.sin(A_q)
         coupler_cos = np.cos(t1)
         t2 = crank_sin * coupler_cos  # coupler
         crank_cos = np.cos(A_q)
         coupler_rotation_xx = t2 + crank_cos * coupler_sin
-        t4 = 0.4899573262537283 - D_q  # D
+        t4 = rocker_phase - D_q  # D
         rocker_cos = np.cos(t4)
-        minus_rocker_joint_force_my_by_C_fz = 0.51 * rocker_cos
+        minus_rocker_joint_force_my_by_C_fz = k6 * rocker_cos
         t5 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
         minus_rocker_sin = np.sin(t4)
-        minus_rocker_joint_force_mx_by_C_fz = 0.51 * minus_rocker_sin
+        minus_rocker_joint_force_mx_by_C_fz = k6 * minus_rocker_sin
         minus_C_closure_fx_by_D = t5 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
         t9 = 1.0 / minus_C_closure_fx_by_D  # C
-        rocker_rate_mz = 3.00186 * minus_rocker_sin
+        rocker_rate_mz = gravity_z_rocker_mx * minus_rocker_sin
         t10 = crank_lever_mz_by_C_fx * A_y_ddot  # D
         D_joint_rate = crank_lever_mz_by_C_fx * A_y_dot * t9
-        t12 = 0.51 * (D_joint_rate * D_joint_rate)  # rocker
+        t12 = k6 * (D_joint_rate * D_joint_rate)  # rocker
         t13 = rocker_cos * t12  # rocker
         t14 = crank_cos * t13  # C
         t15 = minus_rocker_sin * t12  # rocker
@@ -1250,33 +1359,37 @@ def inverse_dynamics_independent(*arguments):
         t18 = coupler_cos * t17  # C
         t21 = crank_sin * t13 + crank_cos * t15  # C
         t23 = t18 - coupler_sin * t21  # C
-        t24 = 0.15 * (A_y_dot * A_y_dot)  # crank
+        t24 = B_at_z * (A_y_dot * A_y_dot)  # crank
         minus_coupler_acc_still_x = coupler_cos * t24
-        crank_lever_mz_by_C_fy = 0.5 + 0.15 * coupler_cos
+        crank_lever_mz_by_C_fy = 0.5 + B_at_z * coupler_cos
         t26 = crank_lever_mz_by_C_fy * A_y_dot
         t27 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
         C_closure_fy_by_D = t27 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
         coupler_omega_z = A_y_dot - 2.0 * (t26 + C_closure_fy_by_D * D_joint_rate)
         minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z
         D_joint_acc = t9 * (t10 + (t23 - (minus_coupler_acc_still_x + 0.5 * minus_coupler_U_still_xx)))
-        rocker_rate_mz_2 = rocker_rate_mz + 0.10404 * D_joint_acc
+        rocker_rate_mz_2 = rocker_rate_mz + rocker_sxx * D_joint_acc
         t35 = crank_lever_mz_by_C_fy * A_y_ddot
         t39 = t35 + (coupler_sin * t24 - (coupler_sin * t17 + coupler_cos * t21))
         coupler_alpha_z = A_y_ddot - 2.0 * (t39 + C_closure_fy_by_D * D_joint_acc)
-        t42 = 0.1 * coupler_alpha_z  # coupler
-        t44 = coupler_sin * (9.81 * crank_cos - t24)  # coupler
-        t48 = 0.3 * (t44 + coupler_cos * (9.81 * crank_sin - 0.15 * A_y_ddot))  # coupler
+        t42 = coupler_sxx * coupler_alpha_z  # coupler
+        t44 = coupler_sin * (gravity_z * crank_cos - t24)  # coupler
+        t48 = k7 * (t44 + coupler_cos * (gravity_z * crank_sin - B_at_z * A_y_ddot))  # coupler
         C_multiplier_fy = 2.0 * (t42 - t48)
         t49 = coupler_sin * C_multiplier_fy  # rocker
         t50 = crank_sin * t49  # rocker
         t51 = coupler_cos * C_multiplier_fy  # rocker
         t54 = minus_rocker_joint_force_my_by_C_fz * (t50 - crank_cos * t51)  # rocker
-        rocker_joint_force_mz = rocker_rate_mz_2 - (t54 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * t49 + crank_sin * t51))
+        rocker_joint_force_mz = (
+            rocker_rate_mz_2 - (t54 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * t49 + crank_sin * t51))
+        )
         t60 = crank_lever_mz_by_C_fx * (t9 * rocker_joint_force_mz)  # A
-        t62 = coupler_sin * (0.3 * minus_coupler_U_still_xx) - coupler_cos * (0.3 * coupler_alpha_z) + t51  # crank
-        A_balance = t60 - (0.15 * t62 + (2.133675 * crank_sin - 0.03075 * A_y_ddot))
-        return _finish(batch, ((A_balance,),), ((minus_C_closure_fx_by_D, 5.057800000000001e-10),),
-            (minus_C_closure_fx_by_D, A_balance))
+        t62 = coupler_sin * (k7 * minus_coupler_U_still_xx) - coupler_cos * (k7 * coupler_alpha_z) + t51  # crank
+        A_balance = t60 - (B_at_z * t62 + (k12 * crank_sin - k8 * A_y_ddot))
+        guards = (  # status 1 where a pivot is smaller than its limit:
+            (minus_C_closure_fx_by_D, 5.057800000000001e-10),  # where D does not move the loop at C
+        )
+        return _finish(batch, ((A_balance,),), guards, (minus_C_closure_fx_by_D, A_balance))
 
 
 def joint_reactions(*arguments):
@@ -1312,32 +1425,34 @@ def joint_reactions(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # B: geometry; reactions, eq. (32)
-        t1 = 0.9272952180016122 + B_q
+        t1 = coupler_phase + B_q
         coupler_sin = np.sin(t1)
-        crank_lever_mz_by_C_fx = 0.15 * coupler_sin
-        t2 = 0.4899573262537283 - D_q  # D
+        crank_lever_mz_by_C_fx = B_at_z * coupler_sin
+        t2 = rocker_phase - D_q  # D
         minus_rocker_sin = np.sin(t2)
-        rocker_rate_mz_2 = 3.00186 * minus_rocker_sin + 0.10404 * D_a
+        rocker_rate_mz_2 = gravity_z_rocker_mx * minus_rocker_sin + rocker_sxx * D_a
         rocker_cos = np.cos(t2)
-        minus_rocker_joint_force_my_by_C_fz = 0.51 * rocker_cos
+        minus_rocker_joint_force_my_by_C_fz = k6 * rocker_cos
         crank_sin = np.sin(A_q)
         coupler_twist_rate_wy = A_a + B_a
-        t4 = 0.1 * coupler_twist_rate_wy  # coupler
+        t4 = coupler_sxx * coupler_twist_rate_wy  # coupler
         minus_crank_U_still_xx = A_v * A_v
-        t5 = 0.15 * minus_crank_U_still_xx  # crank
+        t5 = B_at_z * minus_crank_U_still_xx  # crank
         crank_cos = np.cos(A_q)
-        t6 = t5 - 9.81 * crank_cos  # crank
+        t6 = t5 - gravity_z * crank_cos  # crank
         t7 = coupler_sin * t6  # coupler
         coupler_cos = np.cos(t1)
-        t9 = 0.15 * A_a - 9.81 * crank_sin  # coupler
+        t9 = B_at_z * A_a - gravity_z * crank_sin  # coupler
         coupler_acc_y = t7 + coupler_cos * t9
-        C_multiplier_fy = 2.0 * (t4 + 0.3 * coupler_acc_y)
+        C_multiplier_fy = 2.0 * (t4 + k7 * coupler_acc_y)
         t12 = coupler_sin * C_multiplier_fy  # rocker
         t13 = crank_sin * t12  # rocker
         t14 = coupler_cos * C_multiplier_fy  # rocker
         t17 = minus_rocker_joint_force_my_by_C_fz * (t13 - crank_cos * t14)  # rocker
-        minus_rocker_joint_force_mx_by_C_fz = 0.51 * minus_rocker_sin
-        rocker_joint_force_mz = rocker_rate_mz_2 - (t17 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * t12 + crank_sin * t14))
+        minus_rocker_joint_force_mx_by_C_fz = k6 * minus_rocker_sin
+        rocker_joint_force_mz = (
+            rocker_rate_mz_2 - (t17 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * t12 + crank_sin * t14))
+        )
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
         t25 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
@@ -1345,37 +1460,41 @@ def joint_reactions(*arguments):
         minus_C_multiplier_fx = rocker_joint_force_mz / minus_C_closure_fx_by_D
         t29 = crank_lever_mz_by_C_fx * minus_C_multiplier_fx  # A
         coupler_omega_z = A_v + B_v
-        minus_coupler_rate_fx = 0.3 * (coupler_omega_z * coupler_omega_z)
+        minus_coupler_rate_fx = k7 * (coupler_omega_z * coupler_omega_z)
         minus_crank_force_y = coupler_sin * minus_coupler_rate_fx
-        coupler_rate_fy = 0.3 * coupler_twist_rate_wy
-        t32 = 0.15 * (minus_crank_force_y - coupler_cos * coupler_rate_fy + t14)  # crank
-        A_balance = t29 - (t32 + (2.133675 * crank_sin - 0.03075 * A_a))
-        coupler_sent_fx = minus_C_multiplier_fx - (minus_coupler_rate_fx + 1.2 * (coupler_cos * t6 - coupler_sin * t9))
+        coupler_rate_fy = k7 * coupler_twist_rate_wy
+        t32 = B_at_z * (minus_crank_force_y - coupler_cos * coupler_rate_fy + t14)  # crank
+        A_balance = t29 - (t32 + (k12 * crank_sin - k8 * A_a))
+        coupler_sent_fx = (
+            minus_C_multiplier_fx - (minus_coupler_rate_fx + rocker_m * (coupler_cos * t6 - coupler_sin * t9))
+        )
         t37 = coupler_cos * coupler_sent_fx  # coupler
-        minus_coupler_sent_fy = C_multiplier_fy - (coupler_rate_fy + 1.2 * coupler_acc_y)
+        minus_coupler_sent_fy = C_multiplier_fy - (coupler_rate_fy + rocker_m * coupler_acc_y)
         coupler_joint_sent_fx = t37 + coupler_sin * minus_coupler_sent_fy
-        crank_sent_fx = coupler_joint_sent_fx + (4.905 * crank_cos - 0.0375 * minus_crank_U_still_xx)
+        crank_sent_fx = coupler_joint_sent_fx + (crank_m_gravity_z * crank_cos - crank_mx * minus_crank_U_still_xx)
         t42 = crank_sin * crank_sent_fx  # crank
         coupler_joint_sent_fy = coupler_sin * coupler_sent_fx - coupler_cos * minus_coupler_sent_fy
-        crank_sent_fy = coupler_joint_sent_fy - (4.905 * crank_sin - 0.0375 * A_a)
+        crank_sent_fy = coupler_joint_sent_fy - (crank_m_gravity_z * crank_sin - crank_mx * A_a)
         crank_joint_sent_fy = t42 + crank_cos * crank_sent_fy
         crank_joint_sent_fx = crank_cos * crank_sent_fx - crank_sin * crank_sent_fy
         B_reaction_fx = crank_sin * coupler_joint_sent_fx + crank_cos * coupler_joint_sent_fy
         B_reaction_fz = crank_cos * coupler_joint_sent_fx - crank_sin * coupler_joint_sent_fy
-        coupler_position_z = 0.15 * crank_cos
+        coupler_position_z = B_at_z * crank_cos
         t54 = coupler_position_z * B_reaction_fx
-        coupler_position_x = 0.15 * crank_sin
+        coupler_position_x = B_at_z * crank_sin
         B_reaction_my = t54 - coupler_position_x * B_reaction_fz
         C_reaction_fx = coupler_rotation_xx * minus_C_multiplier_fx + minus_coupler_rotation_xy * C_multiplier_fy
-        minus_C_reaction_fz = minus_coupler_rotation_xy * minus_C_multiplier_fx - coupler_rotation_xx * C_multiplier_fy
+        minus_C_reaction_fz = (
+            minus_coupler_rotation_xy * minus_C_multiplier_fx - coupler_rotation_xx * C_multiplier_fy
+        )
         C_reaction_fz = -minus_C_reaction_fz
         t62 = (coupler_position_z - 0.5 * minus_coupler_rotation_xy) * C_reaction_fx  # C
         C_reaction_my = t62 + (coupler_position_x + 0.5 * coupler_rotation_xx) * minus_C_reaction_fz
         # rocker: momentum rate, eq. (35)
-        minus_rocker_rate_fx_2 = 0.306 * (D_v * D_v) - 11.772 * rocker_cos
+        minus_rocker_rate_fx_2 = rocker_mx * (D_v * D_v) - rocker_m_gravity_z * rocker_cos
         # rocker: balance, eqs. (40)-(47); momentum rate, eq. (35); pivots
         t67 = minus_rocker_sin * minus_rocker_rate_fx_2
-        rocker_rate_fy_2 = 0.306 * D_a + 11.772 * minus_rocker_sin
+        rocker_rate_fy_2 = rocker_mx * D_a + rocker_m_gravity_z * minus_rocker_sin
         t70 = t67 + rocker_cos * rocker_rate_fy_2
         t72 = t12 + coupler_cos * minus_C_multiplier_fx
         t73 = crank_sin * t72
@@ -1384,31 +1503,31 @@ def joint_reactions(*arguments):
         t80 = rocker_cos * minus_rocker_rate_fx_2 - minus_rocker_sin * rocker_rate_fy_2
         minus_rocker_joint_sent_fx = t80 + (crank_cos * t72 + crank_sin * t75)
         rocker_joint_sent_fx = -minus_rocker_joint_sent_fx
-        D_reaction_my = 0.64 * minus_rocker_joint_sent_fx
-        t84 = 1.6573358657425363 * coupler_sin  # coupler
+        D_reaction_my = D_at_x * minus_rocker_joint_sent_fx
+        t84 = per_length_crank_m * coupler_sin  # coupler
         t86 = 2.0 + t84 * t84  # coupler
-        t87 = 1.6573358657425363 * coupler_cos  # coupler
+        t87 = per_length_crank_m * coupler_cos  # coupler
         t90 = 1.0 + (t86 + t87 * t87)  # coupler
-        t91 = 1.690482583057387 * minus_rocker_sin
+        t91 = k13 * minus_rocker_sin
         t93 = t90 + t91 * t91  # mechanism
-        t94 = 1.690482583057387 * rocker_cos
+        t94 = k13 * rocker_cos
         t97 = 1.0 + (t93 + t94 * t94)  # mechanism
         crank_lever_mx_by_C_fz = 0.5 * coupler_sin
         t98 = crank_cos * crank_lever_mx_by_C_fz  # crank
-        minus_crank_lever_my_by_C_fz = 0.15 + 0.5 * coupler_cos
-        t100 = 3.3146717314850727 * (t98 + crank_sin * minus_crank_lever_my_by_C_fz)  # base
+        minus_crank_lever_my_by_C_fz = B_at_z + 0.5 * coupler_cos
+        t100 = per_length * (t98 + crank_sin * minus_crank_lever_my_by_C_fz)  # base
         t102 = t97 + t100 * t100  # mechanism
-        t105 = 3.3146717314850727 * (crank_sin * crank_lever_mx_by_C_fz - crank_cos * minus_crank_lever_my_by_C_fz)  # base
+        t105 = per_length * (crank_sin * crank_lever_mx_by_C_fz - crank_cos * minus_crank_lever_my_by_C_fz)  # base
         pivot_0 = t102 + t105 * t105
         # coupler: pivots
-        t107 = 3.3146717314850727 * coupler_rotation_xx
+        t107 = per_length * coupler_rotation_xx
         t108 = t107 * t107
-        t109 = 3.3146717314850727 * minus_coupler_rotation_xy
+        t109 = per_length * minus_coupler_rotation_xy
         t110 = t109 * t109
-        t111 = 3.3146717314850727 * coupler_cos
+        t111 = per_length * coupler_cos
         t112 = t111 * t111
-        t113 = 10.987048687506249 + t112
-        t114 = 3.3146717314850727 * coupler_sin
+        t113 = per_length_squared + t112
+        t114 = per_length * coupler_sin
         t115 = t114 * t114
         t120 = t108 + (t110 + (t113 + t115 + t110 + t108))
         # mechanism: pivots
@@ -1416,19 +1535,26 @@ def joint_reactions(*arguments):
         t131 = t125 - t94 * t107 - t100 * t109 + t105 * t107
         t132 = 1.0 / pivot_0
         pivot_1 = t120 - t131 * (t131 * t132)
-        t140 = t110 + (t108 + (t110 + (t108 + (t112 + (10.987048687506249 + t115)))))  # coupler
+        t140 = t110 + (t108 + (t110 + (t108 + (t112 + (per_length_squared + t115)))))  # coupler
         t145 = t84 * t114 + t87 * t111 - t91 * t107
         t151 = t145 - t94 * t109 + t100 * t107 + t105 * t109
         t152 = t151 * t132
         t153 = t151 * t152
         t154 = t131 * t152
         pivot_2 = t140 - (t153 + t154 * (t154 / pivot_1))
+        guards = (  # status 1 where a pivot is smaller than its limit:
+            (minus_C_closure_fx_by_D, 5.057800000000001e-10),  # where D does not move the loop at C
+            (pivot_0, 1.3789999999999998e-08),  # where step 0 of symmetric equations loses rank: of drives, inertia
+            # or internal loads
+            (pivot_1, 4.3948000000000004e-08),  # where step 1 of symmetric equations loses rank: of drives, inertia
+            # or internal loads
+            (pivot_2, 4.3948000000000004e-08),  # where step 2 of symmetric equations loses rank: of drives, inertia
+            # or internal loads
+        )
         return _finish(batch, ((A_balance,), (crank_joint_sent_fy, 0.0, crank_joint_sent_fx, 0.0,
             0.0, 0.0, B_reaction_fx, 0.0, B_reaction_fz, 0.0, B_reaction_my, 0.0, C_reaction_fx,
             0.0, C_reaction_fz, 0.0, C_reaction_my, 0.0, rocker_joint_sent_fy, 0.0,
-            rocker_joint_sent_fx, 0.0, D_reaction_my, 0.0)), ((minus_C_closure_fx_by_D,
-            5.057800000000001e-10), (pivot_0, 1.3789999999999998e-08), (pivot_1,
-            4.3948000000000004e-08), (pivot_2, 4.3948000000000004e-08)), (minus_C_closure_fx_by_D,
+            rocker_joint_sent_fx, 0.0, D_reaction_my, 0.0)), guards, (minus_C_closure_fx_by_D,
             A_balance, crank_joint_sent_fy, crank_joint_sent_fx, B_reaction_my, C_reaction_my,
             rocker_joint_sent_fy, D_reaction_my, pivot_0, pivot_1, pivot_2))
 
@@ -1442,18 +1568,18 @@ def _forward_dynamics_first(*arguments):
     with np.errstate(all="ignore"):
         # crank: geometry; momentum rate, eq. (35); accelerations
         crank_sin = np.sin(A_q)
-        minus_crank_rate_mz = 2.133675 * crank_sin
-        t1 = 0.9272952180016122 + B_q  # B
+        minus_crank_rate_mz = k12 * crank_sin
+        t1 = coupler_phase + B_q  # B
         coupler_sin = np.sin(t1)
-        t2 = 0.15 * (A_v * A_v)
+        t2 = B_at_z * (A_v * A_v)
         crank_cos = np.cos(A_q)
-        t4 = coupler_sin * (t2 - 9.81 * crank_cos)  # coupler
+        t4 = coupler_sin * (t2 - gravity_z * crank_cos)  # coupler
         coupler_cos = np.cos(t1)
-        coupler_rate_mz = 0.3 * (t4 - coupler_cos * (9.81 * crank_sin))
+        coupler_rate_mz = k7 * (t4 - coupler_cos * (gravity_z * crank_sin))
         coupler_acc_still_y_2 = coupler_sin * t2
-        t6 = 0.4899573262537283 - D_q  # D
+        t6 = rocker_phase - D_q  # D
         rocker_cos = np.cos(t6)
-        t7 = 0.51 * (D_v * D_v)  # rocker
+        t7 = k6 * (D_v * D_v)  # rocker
         t8 = rocker_cos * t7  # rocker
         t9 = crank_cos * t8  # C
         minus_rocker_sin = np.sin(t6)
@@ -1463,10 +1589,10 @@ def _forward_dynamics_first(*arguments):
         t16 = crank_sin * t8 + crank_cos * t10  # C
         C_opening_bias_fy = coupler_acc_still_y_2 - (t13 + coupler_cos * t16)
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
-        minus_rocker_joint_force_my_by_C_fz = 0.51 * rocker_cos
+        minus_rocker_joint_force_my_by_C_fz = k6 * rocker_cos
         t21 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
-        minus_rocker_joint_force_mx_by_C_fz = 0.51 * minus_rocker_sin
+        minus_rocker_joint_force_mx_by_C_fz = k6 * minus_rocker_sin
         C_closure_fy_by_D = t21 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
         t27 = coupler_cos * t12 - coupler_sin * t16  # C
         minus_coupler_acc_still_x = coupler_cos * t2
@@ -1478,28 +1604,32 @@ def _forward_dynamics_first(*arguments):
         t32 = 1.0 / minus_C_closure_fx_by_D  # C
         D_joint_acc_still = C_opening_bias_fx * t32
         t34 = C_opening_bias_fy + C_closure_fy_by_D * D_joint_acc_still  # coupler
-        coupler_rate_mz_2 = coupler_rate_mz - 0.2 * t34
-        t37 = 0.15 * (coupler_sin * (0.3 * minus_coupler_U_still_xx) + coupler_cos * (0.6 * t34))
+        coupler_rate_mz_2 = coupler_rate_mz - coupler_com_x * t34
+        t37 = B_at_z * (coupler_sin * (k7 * minus_coupler_U_still_xx) + coupler_cos * (k2 * t34))
         minus_A_generalised_force = A_u + (minus_crank_rate_mz - (coupler_rate_mz_2 - t37))
-        crank_lever_mz_by_C_fy = 0.5 + 0.15 * coupler_cos
-        D_null_space_by_A = 0.15 * coupler_sin * t32
+        crank_lever_mz_by_C_fy = 0.5 + B_at_z * coupler_cos
+        D_null_space_by_A = B_at_z * coupler_sin * t32
         t41 = crank_lever_mz_by_C_fy + C_closure_fy_by_D * D_null_space_by_A  # B
         minus_B_null_space_by_A = 2.0 * t41
         # A: free motion; inertia; accelerations
         t43 = minus_A_generalised_force + minus_B_null_space_by_A * coupler_rate_mz_2
-        A_reduced_force = t43 - D_null_space_by_A * (3.00186 * minus_rocker_sin + 0.10404 * D_joint_acc_still)
-        t47 = coupler_cos * (0.1 * coupler_cos)  # coupler
-        A_mass_matrix_by_A = 0.1 - t47 + (0.03075 + (t47 + 0.09 * coupler_cos))
-        A_mass_matrix_by_B = 0.1 + 0.045 * coupler_cos
+        t45 = D_null_space_by_A * (gravity_z_rocker_mx * minus_rocker_sin + rocker_sxx * D_joint_acc_still)
+        A_reduced_force = t43 - t45
+        t47 = coupler_cos * (coupler_sxx * coupler_cos)  # coupler
+        A_mass_matrix_by_A = coupler_sxx - t47 + (k8 + (t47 + k10 * coupler_cos))
+        A_mass_matrix_by_B = coupler_sxx + k11 * coupler_cos
         t52 = A_mass_matrix_by_A - minus_B_null_space_by_A * A_mass_matrix_by_B
-        t56 = t52 - minus_B_null_space_by_A * (A_mass_matrix_by_B - 0.2 * t41)
-        A_reduced_inertia_by_A = t56 + D_null_space_by_A * (0.10404 * D_null_space_by_A)
+        t56 = t52 - minus_B_null_space_by_A * (A_mass_matrix_by_B - coupler_com_x * t41)
+        A_reduced_inertia_by_A = t56 + D_null_space_by_A * (rocker_sxx * D_null_space_by_A)
         A_joint_acc = A_reduced_force / A_reduced_inertia_by_A
         minus_B_joint_acc = 2.0 * t34 + minus_B_null_space_by_A * A_joint_acc
         B_joint_acc = -minus_B_joint_acc
         D_joint_acc = D_joint_acc_still + D_null_space_by_A * A_joint_acc
-        return _finish(batch, ((A_joint_acc, B_joint_acc, D_joint_acc),), ((minus_C_closure_fx_by_D,
-            3.01689e-06), (A_reduced_inertia_by_A, 3.264600000000001e-07)),
+        guards = (  # status 1 where a pivot is smaller than its limit:
+            (minus_C_closure_fx_by_D, 3.01689e-06),  # where D does not move the loop at C
+            (A_reduced_inertia_by_A, 3.264600000000001e-07),  # where A feels no inertia
+        )
+        return _finish(batch, ((A_joint_acc, B_joint_acc, D_joint_acc),), guards,
             (minus_C_closure_fx_by_D, A_reduced_inertia_by_A, minus_B_joint_acc, D_joint_acc))
 
 
@@ -1511,40 +1641,42 @@ def _forward_dynamics_dense(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # B: geometry
-        t1 = 0.9272952180016122 + B_q
+        t1 = coupler_phase + B_q
         coupler_cos = np.cos(t1)
-        t3 = coupler_cos * (0.1 * coupler_cos)  # coupler
-        A_mass_matrix_by_A = 0.1 - t3 + (0.03075 + (t3 + 0.09 * coupler_cos))
-        A_mass_matrix_by_B = 0.1 + 0.045 * coupler_cos
+        t3 = coupler_cos * (coupler_sxx * coupler_cos)  # coupler
+        A_mass_matrix_by_A = coupler_sxx - t3 + (k8 + (t3 + k10 * coupler_cos))
+        A_mass_matrix_by_B = coupler_sxx + k11 * coupler_cos
         crank_sin = np.sin(A_q)
-        minus_crank_rate_mz = 2.133675 * crank_sin
+        minus_crank_rate_mz = k12 * crank_sin
         coupler_sin = np.sin(t1)
-        t7 = 0.15 * (A_v * A_v)  # crank
+        t7 = B_at_z * (A_v * A_v)  # crank
         crank_cos = np.cos(A_q)
-        coupler_acc_still_y = coupler_sin * (t7 - 9.81 * crank_cos) - coupler_cos * (9.81 * crank_sin)
-        coupler_rate_mz = 0.3 * coupler_acc_still_y
+        coupler_acc_still_y = coupler_sin * (t7 - gravity_z * crank_cos) - coupler_cos * (gravity_z * crank_sin)
+        coupler_rate_mz = k7 * coupler_acc_still_y
         coupler_omega_z = A_v + B_v
         minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z
-        minus_crank_moment_z = minus_crank_rate_mz - (coupler_rate_mz - 0.15 * (coupler_sin * (0.3 * minus_coupler_U_still_xx)))
+        minus_crank_moment_z = (
+            minus_crank_rate_mz - (coupler_rate_mz - B_at_z * (coupler_sin * (k7 * minus_coupler_U_still_xx)))
+        )
         minus_A_generalised_force = minus_crank_moment_z + A_u
         minus_coupler_rate_mz = -coupler_rate_mz
-        t13 = 0.4899573262537283 - D_q  # D
+        t13 = rocker_phase - D_q  # D
         minus_rocker_sin = np.sin(t13)
-        rocker_rate_mz = 3.00186 * minus_rocker_sin
+        rocker_rate_mz = gravity_z_rocker_mx * minus_rocker_sin
         minus_rocker_rate_mz = -rocker_rate_mz
-        crank_lever_mz_by_C_fx = 0.15 * coupler_sin
-        crank_lever_mz_by_C_fy = 0.5 + 0.15 * coupler_cos
+        crank_lever_mz_by_C_fx = B_at_z * coupler_sin
+        crank_lever_mz_by_C_fy = 0.5 + B_at_z * coupler_cos
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
-        minus_rocker_joint_force_mx_by_C_fz = 0.51 * minus_rocker_sin
+        minus_rocker_joint_force_mx_by_C_fz = k6 * minus_rocker_sin
         t17 = minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz  # C
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
         rocker_cos = np.cos(t13)
-        minus_rocker_joint_force_my_by_C_fz = 0.51 * rocker_cos
+        minus_rocker_joint_force_my_by_C_fz = k6 * rocker_cos
         # C: loop closure
         C_closure_fx_by_D = t17 - coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz
         t21 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz
         C_closure_fy_by_D = t21 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
-        t23 = 0.51 * (D_v * D_v)  # rocker
+        t23 = k6 * (D_v * D_v)  # rocker
         t24 = rocker_cos * t23  # rocker
         t25 = crank_cos * t24
         t26 = minus_rocker_sin * t23  # rocker
@@ -1553,14 +1685,15 @@ def _forward_dynamics_dense(*arguments):
         t32 = crank_sin * t24 + crank_cos * t26
         C_opening_bias_fx = t29 - coupler_sin * t32 - (coupler_cos * t7 + 0.5 * minus_coupler_U_still_xx)
         C_opening_bias_fy = coupler_sin * t7 - (coupler_sin * t28 + coupler_cos * t32)
+        guards = ()
         return _finish(batch, ((A_mass_matrix_by_A, A_mass_matrix_by_B, 0.0, A_mass_matrix_by_B,
-            0.1, 0.0, 0.0, 0.0, 0.10404), (minus_A_generalised_force, minus_coupler_rate_mz,
-            minus_rocker_rate_mz), (crank_lever_mz_by_C_fx, crank_lever_mz_by_C_fy, 0.0, 0.0, 0.0,
-            0.0, 0.5, 0.0, 0.0, 0.0, C_closure_fx_by_D, C_closure_fy_by_D, 0.0, 0.0, 0.0),
-            (C_opening_bias_fx, C_opening_bias_fy, 0.0, 0.0, 0.0)), (), (A_mass_matrix_by_A,
-            A_mass_matrix_by_B, minus_A_generalised_force, rocker_rate_mz, crank_lever_mz_by_C_fx,
-            crank_lever_mz_by_C_fy, C_closure_fx_by_D, C_closure_fy_by_D, C_opening_bias_fx,
-            C_opening_bias_fy))
+            coupler_sxx, 0.0, 0.0, 0.0, rocker_sxx), (minus_A_generalised_force,
+            minus_coupler_rate_mz, minus_rocker_rate_mz), (crank_lever_mz_by_C_fx,
+            crank_lever_mz_by_C_fy, 0.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, C_closure_fx_by_D,
+            C_closure_fy_by_D, 0.0, 0.0, 0.0), (C_opening_bias_fx, C_opening_bias_fy, 0.0, 0.0,
+            0.0)), guards, (A_mass_matrix_by_A, A_mass_matrix_by_B, minus_A_generalised_force,
+            rocker_rate_mz, crank_lever_mz_by_C_fx, crank_lever_mz_by_C_fy, C_closure_fx_by_D,
+            C_closure_fy_by_D, C_opening_bias_fx, C_opening_bias_fy))
 
 
 def forward_dynamics(*arguments):
@@ -1584,8 +1717,9 @@ def forward_dynamics(*arguments):
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
     Operations where no pivot is small: 118 (add 42, mul 63, div 2, trig 6, compare 5)
     """
-    settings = ((1.0, 1.0, 1.0,), (3.3146717314850727, 3.3146717314850727, 3.3146717314850727, 1.0, 1.0,), 2, 1.0e-09)
-    return _rank_revealing(_forward_dynamics_first, _forward_dynamics_dense, None, arguments, *settings)
+    settings = ((1.0, 1.0, 1.0,), (per_length, per_length, per_length, 1.0, 1.0,), 2, 1.0e-09)
+    return _rank_revealing(_forward_dynamics_first, _forward_dynamics_dense, None, arguments,
+        *settings)
 
 
 def forward_dynamics_independent(*arguments):
@@ -1607,35 +1741,36 @@ def forward_dynamics_independent(*arguments):
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
     Operations: 117 (add 39, mul 65, div 2, trig 6, compare 5)
     """
-    entries, batch = _entries("forward_dynamics_independent", {"q": 3, "y_dot": 1, "u": 1}, arguments)
+    entries, batch = _entries("forward_dynamics_independent", {"q": 3, "y_dot": 1, "u": 1},
+        arguments)
     (
         A_q, B_q, D_q, A_y_dot, A_u,
     ) = entries
     with np.errstate(all="ignore"):
         # crank: geometry; momentum rate, eq. (35); accelerations
         crank_sin = np.sin(A_q)
-        minus_crank_rate_mz = 2.133675 * crank_sin
-        t1 = 0.9272952180016122 + B_q  # B
+        minus_crank_rate_mz = k12 * crank_sin
+        t1 = coupler_phase + B_q  # B
         coupler_sin = np.sin(t1)
-        t2 = 0.15 * (A_y_dot * A_y_dot)
+        t2 = B_at_z * (A_y_dot * A_y_dot)
         coupler_acc_still_y = coupler_sin * t2
         crank_cos = np.cos(A_q)
-        t3 = 0.4899573262537283 - D_q  # D
+        t3 = rocker_phase - D_q  # D
         rocker_cos = np.cos(t3)
-        crank_lever_mz_by_C_fx = 0.15 * coupler_sin
+        crank_lever_mz_by_C_fx = B_at_z * coupler_sin
         t4 = crank_lever_mz_by_C_fx * A_y_dot  # D
         coupler_cos = np.cos(t1)
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
-        minus_rocker_joint_force_my_by_C_fz = 0.51 * rocker_cos
+        minus_rocker_joint_force_my_by_C_fz = k6 * rocker_cos
         t7 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
         minus_rocker_sin = np.sin(t3)
-        minus_rocker_joint_force_mx_by_C_fz = 0.51 * minus_rocker_sin
+        minus_rocker_joint_force_mx_by_C_fz = k6 * minus_rocker_sin
         # C: loop closure; velocities, eq. (6)
         minus_C_closure_fx_by_D = t7 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
         t11 = 1.0 / minus_C_closure_fx_by_D
         D_joint_rate = t4 * t11
-        t12 = 0.51 * (D_joint_rate * D_joint_rate)  # rocker
+        t12 = k6 * (D_joint_rate * D_joint_rate)  # rocker
         t13 = rocker_cos * t12  # rocker
         t14 = crank_cos * t13
         t15 = minus_rocker_sin * t12  # rocker
@@ -1647,59 +1782,64 @@ def forward_dynamics_independent(*arguments):
         C_closure_fy_by_D = t24 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
         t28 = coupler_cos * t17 - coupler_sin * t21
         minus_coupler_acc_still_x = coupler_cos * t2
-        crank_lever_mz_by_C_fy = 0.5 + 0.15 * coupler_cos
+        crank_lever_mz_by_C_fy = 0.5 + B_at_z * coupler_cos
         coupler_omega_z = A_y_dot - 2.0 * (crank_lever_mz_by_C_fy * A_y_dot + C_closure_fy_by_D * D_joint_rate)
         minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z
         D_joint_acc_still = t11 * (t28 - (minus_coupler_acc_still_x + 0.5 * minus_coupler_U_still_xx))
         t36 = C_opening_bias_fy + C_closure_fy_by_D * D_joint_acc_still  # coupler
-        t37 = 0.2 * t36  # coupler
-        minus_coupler_acc_y = coupler_cos * (9.81 * crank_sin) + coupler_sin * (9.81 * crank_cos - t2)
-        minus_coupler_rate_mz_2 = t37 + 0.3 * minus_coupler_acc_y
-        t42 = 0.15 * (coupler_sin * (0.3 * minus_coupler_U_still_xx) + coupler_cos * (0.6 * t36))  # crank
+        t37 = coupler_com_x * t36  # coupler
+        minus_coupler_acc_y = coupler_cos * (gravity_z * crank_sin) + coupler_sin * (gravity_z * crank_cos - t2)
+        minus_coupler_rate_mz_2 = t37 + k7 * minus_coupler_acc_y
+        t42 = B_at_z * (coupler_sin * (k7 * minus_coupler_U_still_xx) + coupler_cos * (k2 * t36))  # crank
         # A: free motion; inertia; accelerations
         minus_A_generalised_force = A_u + (minus_crank_rate_mz + (minus_coupler_rate_mz_2 + t42))
         D_null_space_by_A = crank_lever_mz_by_C_fx * t11
         t45 = crank_lever_mz_by_C_fy + C_closure_fy_by_D * D_null_space_by_A  # B
         minus_B_null_space_by_A = 2.0 * t45
         t47 = minus_A_generalised_force - minus_B_null_space_by_A * minus_coupler_rate_mz_2
-        A_reduced_force = t47 - D_null_space_by_A * (3.00186 * minus_rocker_sin + 0.10404 * D_joint_acc_still)
-        t51 = coupler_cos * (0.1 * coupler_cos)  # coupler
-        A_mass_matrix_by_A = 0.1 - t51 + (0.03075 + (t51 + 0.09 * coupler_cos))
-        A_mass_matrix_by_B = 0.1 + 0.045 * coupler_cos
+        t49 = D_null_space_by_A * (gravity_z_rocker_mx * minus_rocker_sin + rocker_sxx * D_joint_acc_still)
+        A_reduced_force = t47 - t49
+        t51 = coupler_cos * (coupler_sxx * coupler_cos)  # coupler
+        A_mass_matrix_by_A = coupler_sxx - t51 + (k8 + (t51 + k10 * coupler_cos))
+        A_mass_matrix_by_B = coupler_sxx + k11 * coupler_cos
         t56 = A_mass_matrix_by_A - minus_B_null_space_by_A * A_mass_matrix_by_B
-        t60 = t56 - minus_B_null_space_by_A * (A_mass_matrix_by_B - 0.2 * t45)
-        A_reduced_inertia_by_A = t60 + D_null_space_by_A * (0.10404 * D_null_space_by_A)
+        t60 = t56 - minus_B_null_space_by_A * (A_mass_matrix_by_B - coupler_com_x * t45)
+        A_reduced_inertia_by_A = t60 + D_null_space_by_A * (rocker_sxx * D_null_space_by_A)
         A_joint_acc = A_reduced_force / A_reduced_inertia_by_A
-        return _finish(batch, ((A_joint_acc,),), ((minus_C_closure_fx_by_D, 3.01689e-10),
-            (A_reduced_inertia_by_A, 3.2646e-11)), (minus_C_closure_fx_by_D, A_reduced_inertia_by_A,
-            A_joint_acc))
+        guards = (  # status 1 where a pivot is smaller than its limit:
+            (minus_C_closure_fx_by_D, 3.01689e-10),  # where D does not move the loop at C
+            (A_reduced_inertia_by_A, 3.2646e-11),  # where A feels no inertia
+        )
+        return _finish(batch, ((A_joint_acc,),), guards, (minus_C_closure_fx_by_D,
+            A_reduced_inertia_by_A, A_joint_acc))
 
 
 def _forward_dynamics_reactions_first(*arguments):
     """The first path of forward_dynamics_reactions."""
-    entries, batch = _entries("_forward_dynamics_reactions_first", {"q": 3, "v": 3, "u": 1}, arguments)
+    entries, batch = _entries("_forward_dynamics_reactions_first", {"q": 3, "v": 3, "u": 1},
+        arguments)
     (
         A_q, B_q, D_q, A_v, B_v, D_v, A_u,
     ) = entries
     with np.errstate(all="ignore"):
         # crank: geometry; accelerations; balance, eqs. (40)-(47)
         crank_sin = np.sin(A_q)
-        minus_crank_rate_mz = 2.133675 * crank_sin
-        t1 = 0.9272952180016122 + B_q  # B
+        minus_crank_rate_mz = k12 * crank_sin
+        t1 = coupler_phase + B_q  # B
         coupler_sin = np.sin(t1)
         minus_crank_U_still_xx = A_v * A_v
-        t2 = 0.15 * minus_crank_U_still_xx
+        t2 = B_at_z * minus_crank_U_still_xx
         crank_cos = np.cos(A_q)
-        t3 = t2 - 9.81 * crank_cos
+        t3 = t2 - gravity_z * crank_cos
         t4 = coupler_sin * t3  # coupler
         coupler_cos = np.cos(t1)
-        minus_crank_acc_y = 9.81 * crank_sin
-        coupler_rate_mz = 0.3 * (t4 - coupler_cos * minus_crank_acc_y)
+        minus_crank_acc_y = gravity_z * crank_sin
+        coupler_rate_mz = k7 * (t4 - coupler_cos * minus_crank_acc_y)
         coupler_acc_still_y_2 = coupler_sin * t2
-        t6 = 0.4899573262537283 - D_q  # D
+        t6 = rocker_phase - D_q  # D
         rocker_cos = np.cos(t6)
         minus_rocker_U_still_xx = D_v * D_v
-        t7 = 0.51 * minus_rocker_U_still_xx  # rocker
+        t7 = k6 * minus_rocker_U_still_xx  # rocker
         t8 = rocker_cos * t7  # rocker
         t9 = crank_cos * t8  # C
         minus_rocker_sin = np.sin(t6)
@@ -1709,10 +1849,10 @@ def _forward_dynamics_reactions_first(*arguments):
         t16 = crank_sin * t8 + crank_cos * t10  # C
         C_opening_bias_fy = coupler_acc_still_y_2 - (t13 + coupler_cos * t16)
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
-        minus_rocker_joint_force_my_by_C_fz = 0.51 * rocker_cos
+        minus_rocker_joint_force_my_by_C_fz = k6 * rocker_cos
         t21 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
-        minus_rocker_joint_force_mx_by_C_fz = 0.51 * minus_rocker_sin
+        minus_rocker_joint_force_mx_by_C_fz = k6 * minus_rocker_sin
         C_closure_fy_by_D = t21 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
         t27 = coupler_cos * t12 - coupler_sin * t16  # C
         minus_coupler_acc_still_x = coupler_cos * t2
@@ -1724,68 +1864,71 @@ def _forward_dynamics_reactions_first(*arguments):
         t32 = 1.0 / minus_C_closure_fx_by_D  # C
         D_joint_acc_still = C_opening_bias_fx * t32
         t34 = C_opening_bias_fy + C_closure_fy_by_D * D_joint_acc_still  # coupler
-        coupler_rate_mz_2 = coupler_rate_mz - 0.2 * t34
-        minus_coupler_rate_fx = 0.3 * minus_coupler_U_still_xx
+        coupler_rate_mz_2 = coupler_rate_mz - coupler_com_x * t34
+        minus_coupler_rate_fx = k7 * minus_coupler_U_still_xx
         minus_crank_force_y = coupler_sin * minus_coupler_rate_fx
-        minus_crank_moment_z = minus_crank_rate_mz - (coupler_rate_mz_2 - 0.15 * (minus_crank_force_y + coupler_cos * (0.6 * t34)))
+        minus_crank_moment_z = (
+            minus_crank_rate_mz - (coupler_rate_mz_2 - B_at_z * (minus_crank_force_y + coupler_cos * (k2 * t34)))
+        )
         minus_A_generalised_force = A_u + minus_crank_moment_z
-        crank_lever_mz_by_C_fy = 0.5 + 0.15 * coupler_cos
-        crank_lever_mz_by_C_fx = 0.15 * coupler_sin
+        crank_lever_mz_by_C_fy = 0.5 + B_at_z * coupler_cos
+        crank_lever_mz_by_C_fx = B_at_z * coupler_sin
         D_null_space_by_A = crank_lever_mz_by_C_fx * t32
         t41 = crank_lever_mz_by_C_fy + C_closure_fy_by_D * D_null_space_by_A  # B
         minus_B_null_space_by_A = 2.0 * t41
         # A: free motion; inertia; accelerations
         t43 = minus_A_generalised_force + minus_B_null_space_by_A * coupler_rate_mz_2
-        A_reduced_force = t43 - D_null_space_by_A * (3.00186 * minus_rocker_sin + 0.10404 * D_joint_acc_still)
-        t47 = coupler_cos * (0.1 * coupler_cos)  # coupler
-        A_mass_matrix_by_A = 0.1 - t47 + (0.03075 + (t47 + 0.09 * coupler_cos))
-        A_mass_matrix_by_B = 0.1 + 0.045 * coupler_cos
+        t45 = D_null_space_by_A * (gravity_z_rocker_mx * minus_rocker_sin + rocker_sxx * D_joint_acc_still)
+        A_reduced_force = t43 - t45
+        t47 = coupler_cos * (coupler_sxx * coupler_cos)  # coupler
+        A_mass_matrix_by_A = coupler_sxx - t47 + (k8 + (t47 + k10 * coupler_cos))
+        A_mass_matrix_by_B = coupler_sxx + k11 * coupler_cos
         t52 = A_mass_matrix_by_A - minus_B_null_space_by_A * A_mass_matrix_by_B
-        t56 = t52 - minus_B_null_space_by_A * (A_mass_matrix_by_B - 0.2 * t41)
-        A_reduced_inertia_by_A = t56 + D_null_space_by_A * (0.10404 * D_null_space_by_A)
+        t56 = t52 - minus_B_null_space_by_A * (A_mass_matrix_by_B - coupler_com_x * t41)
+        A_reduced_inertia_by_A = t56 + D_null_space_by_A * (rocker_sxx * D_null_space_by_A)
         A_joint_acc = A_reduced_force / A_reduced_inertia_by_A
         minus_B_joint_acc = 2.0 * t34 + minus_B_null_space_by_A * A_joint_acc
         B_joint_acc = -minus_B_joint_acc
         D_joint_acc = D_joint_acc_still + D_null_space_by_A * A_joint_acc
-        crank_rate_fx = 4.905 * crank_cos - 0.0375 * minus_crank_U_still_xx
+        crank_rate_fx = crank_m_gravity_z * crank_cos - crank_mx * minus_crank_U_still_xx
         # coupler: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
         coupler_alpha_z = A_joint_acc - minus_B_joint_acc
-        t63 = 0.1 * coupler_alpha_z
-        t65 = minus_crank_acc_y - 0.15 * A_joint_acc
+        t63 = coupler_sxx * coupler_alpha_z
+        t65 = minus_crank_acc_y - B_at_z * A_joint_acc
         coupler_acc_y = t4 - coupler_cos * t65
-        C_multiplier_fy = 2.0 * (t63 + 0.3 * coupler_acc_y)
-        coupler_rate_fy = 0.3 * coupler_alpha_z
-        minus_coupler_sent_fy = C_multiplier_fy - (coupler_rate_fy + 1.2 * coupler_acc_y)
+        C_multiplier_fy = 2.0 * (t63 + k7 * coupler_acc_y)
+        coupler_rate_fy = k7 * coupler_alpha_z
+        minus_coupler_sent_fy = C_multiplier_fy - (coupler_rate_fy + rocker_m * coupler_acc_y)
         t69 = coupler_sin * minus_coupler_sent_fy
-        minus_coupler_rate_fx_2 = minus_coupler_rate_fx + 1.2 * (coupler_cos * t3 + coupler_sin * t65)
+        minus_coupler_rate_fx_2 = minus_coupler_rate_fx + rocker_m * (coupler_cos * t3 + coupler_sin * t65)
         minus_coupler_joint_force_fy = minus_crank_force_y - coupler_cos * coupler_rate_fy
         t74 = coupler_cos * C_multiplier_fy  # crank
-        t78 = A_u + (0.15 * (minus_coupler_joint_force_fy + t74) + (minus_crank_rate_mz - 0.03075 * A_joint_acc))  # C
+        t78 = A_u + (B_at_z * (minus_coupler_joint_force_fy + t74) + (minus_crank_rate_mz - k8 * A_joint_acc))  # C
         minus_C_multiplier_fx = t78 / crank_lever_mz_by_C_fx
         minus_coupler_sent_fx = minus_coupler_rate_fx_2 - minus_C_multiplier_fx
         coupler_joint_sent_fx = t69 - coupler_cos * minus_coupler_sent_fx
         crank_sent_fx = crank_rate_fx + coupler_joint_sent_fx
         t80 = crank_sin * crank_sent_fx  # crank
-        minus_crank_rate_fy = 4.905 * crank_sin - 0.0375 * A_joint_acc
+        minus_crank_rate_fy = crank_m_gravity_z * crank_sin - crank_mx * A_joint_acc
         minus_coupler_joint_sent_fy = coupler_cos * minus_coupler_sent_fy + coupler_sin * minus_coupler_sent_fx
         minus_crank_sent_fy = minus_crank_rate_fy + minus_coupler_joint_sent_fy
         crank_joint_sent_fy = t80 - crank_cos * minus_crank_sent_fy
         crank_joint_sent_fx = crank_cos * crank_sent_fx + crank_sin * minus_crank_sent_fy
         B_reaction_fx = crank_sin * coupler_joint_sent_fx - crank_cos * minus_coupler_joint_sent_fy
         B_reaction_fz = crank_cos * coupler_joint_sent_fx + crank_sin * minus_coupler_joint_sent_fy
-        coupler_position_z = 0.15 * crank_cos
+        coupler_position_z = B_at_z * crank_cos
         t92 = coupler_position_z * B_reaction_fx  # B
-        coupler_position_x = 0.15 * crank_sin
+        coupler_position_x = B_at_z * crank_sin
         B_reaction_my = t92 - coupler_position_x * B_reaction_fz
         C_reaction_fx = minus_coupler_rotation_xy * C_multiplier_fy + coupler_rotation_xx * minus_C_multiplier_fx
         C_reaction_fz = coupler_rotation_xx * C_multiplier_fy - minus_coupler_rotation_xy * minus_C_multiplier_fx
         t100 = (coupler_position_z - 0.5 * minus_coupler_rotation_xy) * C_reaction_fx  # C
         C_reaction_my = t100 - (coupler_position_x + 0.5 * coupler_rotation_xx) * C_reaction_fz
         # rocker: momentum rate, eq. (35)
-        minus_rocker_rate_fx_2 = 0.306 * minus_rocker_U_still_xx - 11.772 * rocker_cos
+        minus_rocker_rate_fx_2 = rocker_mx * minus_rocker_U_still_xx - rocker_m_gravity_z * rocker_cos
         # rocker: balance, eqs. (40)-(47); momentum rate, eq. (35); pivots
         t105 = minus_rocker_sin * minus_rocker_rate_fx_2
-        rocker_rate_fy_2 = 11.772 * minus_rocker_sin + 0.306 * D_joint_acc
+        rocker_rate_fy_2 = rocker_m_gravity_z * minus_rocker_sin + rocker_mx * D_joint_acc
         t108 = t105 + rocker_cos * rocker_rate_fy_2
         t111 = coupler_sin * C_multiplier_fy + coupler_cos * minus_C_multiplier_fx
         t112 = crank_sin * t111
@@ -1794,31 +1937,31 @@ def _forward_dynamics_reactions_first(*arguments):
         t119 = rocker_cos * minus_rocker_rate_fx_2 - minus_rocker_sin * rocker_rate_fy_2
         minus_rocker_joint_sent_fx = t119 + (crank_cos * t111 + crank_sin * t114)
         rocker_joint_sent_fx = -minus_rocker_joint_sent_fx
-        D_reaction_my = 0.64 * minus_rocker_joint_sent_fx
-        t123 = 1.6573358657425363 * coupler_sin  # coupler
+        D_reaction_my = D_at_x * minus_rocker_joint_sent_fx
+        t123 = per_length_crank_m * coupler_sin  # coupler
         t125 = 2.0 + t123 * t123  # coupler
-        t126 = 1.6573358657425363 * coupler_cos  # coupler
+        t126 = per_length_crank_m * coupler_cos  # coupler
         t129 = 1.0 + (t125 + t126 * t126)  # coupler
-        t130 = 1.690482583057387 * minus_rocker_sin
+        t130 = k13 * minus_rocker_sin
         t132 = t129 + t130 * t130  # mechanism
-        t133 = 1.690482583057387 * rocker_cos
+        t133 = k13 * rocker_cos
         t136 = 1.0 + (t132 + t133 * t133)  # mechanism
         crank_lever_mx_by_C_fz = 0.5 * coupler_sin
         t137 = crank_cos * crank_lever_mx_by_C_fz  # crank
-        minus_crank_lever_my_by_C_fz = 0.15 + 0.5 * coupler_cos
-        t139 = 3.3146717314850727 * (t137 + crank_sin * minus_crank_lever_my_by_C_fz)  # base
+        minus_crank_lever_my_by_C_fz = B_at_z + 0.5 * coupler_cos
+        t139 = per_length * (t137 + crank_sin * minus_crank_lever_my_by_C_fz)  # base
         t141 = t136 + t139 * t139  # mechanism
-        t144 = 3.3146717314850727 * (crank_sin * crank_lever_mx_by_C_fz - crank_cos * minus_crank_lever_my_by_C_fz)  # base
+        t144 = per_length * (crank_sin * crank_lever_mx_by_C_fz - crank_cos * minus_crank_lever_my_by_C_fz)  # base
         pivot_0 = t141 + t144 * t144
         # coupler: pivots
-        t146 = 3.3146717314850727 * coupler_rotation_xx
+        t146 = per_length * coupler_rotation_xx
         t147 = t146 * t146
-        t148 = 3.3146717314850727 * minus_coupler_rotation_xy
+        t148 = per_length * minus_coupler_rotation_xy
         t149 = t148 * t148
-        t150 = 3.3146717314850727 * coupler_cos
+        t150 = per_length * coupler_cos
         t151 = t150 * t150
-        t152 = 10.987048687506249 + t151
-        t153 = 3.3146717314850727 * coupler_sin
+        t152 = per_length_squared + t151
+        t153 = per_length * coupler_sin
         t154 = t153 * t153
         t159 = t147 + (t149 + (t152 + t154 + t149 + t147))
         # mechanism: pivots
@@ -1826,66 +1969,79 @@ def _forward_dynamics_reactions_first(*arguments):
         t170 = t164 - t133 * t146 - t139 * t148 + t144 * t146
         t171 = 1.0 / pivot_0
         pivot_1 = t159 - t170 * (t170 * t171)
-        t179 = t149 + (t147 + (t149 + (t147 + (t151 + (10.987048687506249 + t154)))))  # coupler
+        t179 = t149 + (t147 + (t149 + (t147 + (t151 + (per_length_squared + t154)))))  # coupler
         t184 = t123 * t153 + t126 * t150 - t130 * t146
         t190 = t184 - t133 * t148 + t139 * t146 + t144 * t148
         t191 = t190 * t171
         t192 = t190 * t191
         t193 = t170 * t191
         pivot_2 = t179 - (t192 + t193 * (t193 / pivot_1))
+        guards = (  # status 1 where a pivot is smaller than its limit:
+            (minus_C_closure_fx_by_D, 3.01689e-06),  # where D does not move the loop at C
+            (A_reduced_inertia_by_A, 3.264600000000001e-07),  # where A feels no inertia
+            (crank_lever_mz_by_C_fx, 1.2634000000000003e-06),  # where the reciprocal wrench C.fx has no power along
+            # crank, as in a stretched limb
+            (pivot_0, 0.0001379),  # where step 0 of symmetric equations loses rank: of drives, inertia or internal
+            # loads
+            (pivot_1, 0.00043948),  # where step 1 of symmetric equations loses rank: of drives, inertia or internal
+            # loads
+            (pivot_2, 0.00043948),  # where step 2 of symmetric equations loses rank: of drives, inertia or internal
+            # loads
+        )
         return _finish(batch, ((A_joint_acc, B_joint_acc, D_joint_acc), (crank_joint_sent_fy, 0.0,
             crank_joint_sent_fx, 0.0, 0.0, 0.0, B_reaction_fx, 0.0, B_reaction_fz, 0.0,
             B_reaction_my, 0.0, C_reaction_fx, 0.0, C_reaction_fz, 0.0, C_reaction_my, 0.0,
-            rocker_joint_sent_fy, 0.0, rocker_joint_sent_fx, 0.0, D_reaction_my, 0.0)),
-            ((minus_C_closure_fx_by_D, 3.01689e-06), (A_reduced_inertia_by_A,
-            3.264600000000001e-07), (crank_lever_mz_by_C_fx, 1.2634000000000003e-06), (pivot_0,
-            0.0001379), (pivot_1, 0.00043948), (pivot_2, 0.00043948)), (minus_C_closure_fx_by_D,
-            A_reduced_inertia_by_A, crank_joint_sent_fy, crank_joint_sent_fx, B_reaction_my,
-            C_reaction_my, rocker_joint_sent_fy, D_reaction_my, pivot_0, pivot_1, pivot_2))
+            rocker_joint_sent_fy, 0.0, rocker_joint_sent_fx, 0.0, D_reaction_my, 0.0)), guards,
+            (minus_C_closure_fx_by_D, A_reduced_inertia_by_A, crank_joint_sent_fy,
+            crank_joint_sent_fx, B_reaction_my, C_reaction_my, rocker_joint_sent_fy, D_reaction_my,
+            pivot_0, pivot_1, pivot_2))
 
 
 def _forward_dynamics_reactions_dense(*arguments):
     """The dense path of forward_dynamics_reactions."""
-    entries, batch = _entries("_forward_dynamics_reactions_dense", {"q": 3, "v": 3, "u": 1}, arguments)
+    entries, batch = _entries("_forward_dynamics_reactions_dense", {"q": 3, "v": 3, "u": 1},
+        arguments)
     (
         A_q, B_q, D_q, A_v, B_v, D_v, A_u,
     ) = entries
     with np.errstate(all="ignore"):
         # B: geometry
-        t1 = 0.9272952180016122 + B_q
+        t1 = coupler_phase + B_q
         coupler_cos = np.cos(t1)
-        t3 = coupler_cos * (0.1 * coupler_cos)  # coupler
-        A_mass_matrix_by_A = 0.1 - t3 + (0.03075 + (t3 + 0.09 * coupler_cos))
-        A_mass_matrix_by_B = 0.1 + 0.045 * coupler_cos
+        t3 = coupler_cos * (coupler_sxx * coupler_cos)  # coupler
+        A_mass_matrix_by_A = coupler_sxx - t3 + (k8 + (t3 + k10 * coupler_cos))
+        A_mass_matrix_by_B = coupler_sxx + k11 * coupler_cos
         crank_sin = np.sin(A_q)
-        minus_crank_rate_mz = 2.133675 * crank_sin
+        minus_crank_rate_mz = k12 * crank_sin
         coupler_sin = np.sin(t1)
-        t7 = 0.15 * (A_v * A_v)  # crank
+        t7 = B_at_z * (A_v * A_v)  # crank
         crank_cos = np.cos(A_q)
-        coupler_acc_still_y = coupler_sin * (t7 - 9.81 * crank_cos) - coupler_cos * (9.81 * crank_sin)
-        coupler_rate_mz = 0.3 * coupler_acc_still_y
+        coupler_acc_still_y = coupler_sin * (t7 - gravity_z * crank_cos) - coupler_cos * (gravity_z * crank_sin)
+        coupler_rate_mz = k7 * coupler_acc_still_y
         coupler_omega_z = A_v + B_v
         minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z
-        minus_crank_moment_z = minus_crank_rate_mz - (coupler_rate_mz - 0.15 * (coupler_sin * (0.3 * minus_coupler_U_still_xx)))
+        minus_crank_moment_z = (
+            minus_crank_rate_mz - (coupler_rate_mz - B_at_z * (coupler_sin * (k7 * minus_coupler_U_still_xx)))
+        )
         minus_A_generalised_force = minus_crank_moment_z + A_u
         minus_coupler_rate_mz = -coupler_rate_mz
-        t13 = 0.4899573262537283 - D_q  # D
+        t13 = rocker_phase - D_q  # D
         minus_rocker_sin = np.sin(t13)
-        rocker_rate_mz = 3.00186 * minus_rocker_sin
+        rocker_rate_mz = gravity_z_rocker_mx * minus_rocker_sin
         minus_rocker_rate_mz = -rocker_rate_mz
-        crank_lever_mz_by_C_fx = 0.15 * coupler_sin
-        crank_lever_mz_by_C_fy = 0.5 + 0.15 * coupler_cos
+        crank_lever_mz_by_C_fx = B_at_z * coupler_sin
+        crank_lever_mz_by_C_fy = 0.5 + B_at_z * coupler_cos
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
-        minus_rocker_joint_force_mx_by_C_fz = 0.51 * minus_rocker_sin
+        minus_rocker_joint_force_mx_by_C_fz = k6 * minus_rocker_sin
         t17 = minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz  # C
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
         rocker_cos = np.cos(t13)
-        minus_rocker_joint_force_my_by_C_fz = 0.51 * rocker_cos
+        minus_rocker_joint_force_my_by_C_fz = k6 * rocker_cos
         # C: loop closure
         C_closure_fx_by_D = t17 - coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz
         t21 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz
         C_closure_fy_by_D = t21 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
-        t23 = 0.51 * (D_v * D_v)  # rocker
+        t23 = k6 * (D_v * D_v)  # rocker
         t24 = rocker_cos * t23  # rocker
         t25 = crank_cos * t24
         t26 = minus_rocker_sin * t23  # rocker
@@ -1894,19 +2050,21 @@ def _forward_dynamics_reactions_dense(*arguments):
         t32 = crank_sin * t24 + crank_cos * t26
         C_opening_bias_fx = t29 - coupler_sin * t32 - (coupler_cos * t7 + 0.5 * minus_coupler_U_still_xx)
         C_opening_bias_fy = coupler_sin * t7 - (coupler_sin * t28 + coupler_cos * t32)
+        guards = ()
         return _finish(batch, ((A_mass_matrix_by_A, A_mass_matrix_by_B, 0.0, A_mass_matrix_by_B,
-            0.1, 0.0, 0.0, 0.0, 0.10404), (minus_A_generalised_force, minus_coupler_rate_mz,
-            minus_rocker_rate_mz), (crank_lever_mz_by_C_fx, crank_lever_mz_by_C_fy, 0.0, 0.0, 0.0,
-            0.0, 0.5, 0.0, 0.0, 0.0, C_closure_fx_by_D, C_closure_fy_by_D, 0.0, 0.0, 0.0),
-            (C_opening_bias_fx, C_opening_bias_fy, 0.0, 0.0, 0.0)), (), (A_mass_matrix_by_A,
-            A_mass_matrix_by_B, minus_A_generalised_force, rocker_rate_mz, crank_lever_mz_by_C_fx,
-            crank_lever_mz_by_C_fy, C_closure_fx_by_D, C_closure_fy_by_D, C_opening_bias_fx,
-            C_opening_bias_fy))
+            coupler_sxx, 0.0, 0.0, 0.0, rocker_sxx), (minus_A_generalised_force,
+            minus_coupler_rate_mz, minus_rocker_rate_mz), (crank_lever_mz_by_C_fx,
+            crank_lever_mz_by_C_fy, 0.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, C_closure_fx_by_D,
+            C_closure_fy_by_D, 0.0, 0.0, 0.0), (C_opening_bias_fx, C_opening_bias_fy, 0.0, 0.0,
+            0.0)), guards, (A_mass_matrix_by_A, A_mass_matrix_by_B, minus_A_generalised_force,
+            rocker_rate_mz, crank_lever_mz_by_C_fx, crank_lever_mz_by_C_fy, C_closure_fx_by_D,
+            C_closure_fy_by_D, C_opening_bias_fx, C_opening_bias_fy))
 
 
 def _forward_dynamics_reactions_wrenches(*arguments):
     """The wrenches path of forward_dynamics_reactions."""
-    entries, batch = _entries("_forward_dynamics_reactions_wrenches", {"q": 3, "v": 3, "u": 1, "a": 3, "multipliers": 5}, arguments)
+    entries, batch = _entries("_forward_dynamics_reactions_wrenches", {"q": 3, "v": 3, "u": 1, "a":
+        3, "multipliers": 5}, arguments)
     (
         A_q, B_q, D_q, A_v, B_v, D_v, A_u, A_a, B_a, D_a, multipliers_0, multipliers_1,
         multipliers_2, multipliers_3, multipliers_4,
@@ -1915,26 +2073,26 @@ def _forward_dynamics_reactions_wrenches(*arguments):
         # crank: geometry; momentum rate, eq. (35); accelerations
         crank_sin = np.sin(A_q)
         crank_cos = np.cos(A_q)
-        t1 = 4.905 * crank_cos
+        t1 = crank_m_gravity_z * crank_cos
         minus_crank_U_still_xx = A_v * A_v
-        crank_rate_fx = t1 - 0.0375 * minus_crank_U_still_xx
-        t3 = 0.9272952180016122 + B_q  # B
+        crank_rate_fx = t1 - crank_mx * minus_crank_U_still_xx
+        t3 = coupler_phase + B_q  # B
         # coupler: geometry; momentum rate, eq. (35); balance, eqs. (40)-(47)
         coupler_cos = np.cos(t3)
         coupler_omega_z = A_v + B_v
-        minus_coupler_rate_fx = 0.3 * (coupler_omega_z * coupler_omega_z)
-        t5 = 0.15 * minus_crank_U_still_xx - 9.81 * crank_cos  # crank
+        minus_coupler_rate_fx = k7 * (coupler_omega_z * coupler_omega_z)
+        t5 = B_at_z * minus_crank_U_still_xx - gravity_z * crank_cos  # crank
         t6 = coupler_cos * t5
         coupler_sin = np.sin(t3)
-        t8 = 0.15 * A_a - 9.81 * crank_sin
-        minus_coupler_sent_fx = minus_coupler_rate_fx + 1.2 * (t6 - coupler_sin * t8) + multipliers_0
+        t8 = B_at_z * A_a - gravity_z * crank_sin
+        minus_coupler_sent_fx = minus_coupler_rate_fx + rocker_m * (t6 - coupler_sin * t8) + multipliers_0
         t11 = coupler_cos * minus_coupler_sent_fx
-        coupler_rate_fy = 0.3 * (A_a + B_a)
-        coupler_sent_fy = coupler_rate_fy + 1.2 * (coupler_sin * t5 + coupler_cos * t8) - multipliers_1
+        coupler_rate_fy = k7 * (A_a + B_a)
+        coupler_sent_fy = coupler_rate_fy + rocker_m * (coupler_sin * t5 + coupler_cos * t8) - multipliers_1
         minus_coupler_joint_sent_fx = t11 + coupler_sin * coupler_sent_fy
         crank_sent_fx = crank_rate_fx - minus_coupler_joint_sent_fx
         t16 = crank_sin * crank_sent_fx  # crank
-        minus_crank_rate_fy = 4.905 * crank_sin - 0.0375 * A_a
+        minus_crank_rate_fy = crank_m_gravity_z * crank_sin - crank_mx * A_a
         minus_coupler_joint_sent_fy = coupler_sin * minus_coupler_sent_fx - coupler_cos * coupler_sent_fy
         minus_crank_sent_fy = minus_crank_rate_fy + minus_coupler_joint_sent_fy
         crank_joint_sent_fy = t16 - crank_cos * minus_crank_sent_fy
@@ -1946,7 +2104,7 @@ def _forward_dynamics_reactions_wrenches(*arguments):
         t27 = crank_sin * minus_coupler_joint_sent_mx  # crank
         t28 = coupler_sin * multipliers_3
         minus_coupler_joint_sent_my = t28 + coupler_cos * minus_coupler_sent_my
-        minus_crank_sent_my = minus_coupler_joint_sent_my - 0.15 * multipliers_2
+        minus_crank_sent_my = minus_coupler_joint_sent_my - B_at_z * multipliers_2
         minus_crank_joint_sent_my = t27 + crank_cos * minus_crank_sent_my
         crank_joint_sent_my = -minus_crank_joint_sent_my
         t32 = crank_cos * minus_coupler_joint_sent_mx  # crank
@@ -1957,9 +2115,9 @@ def _forward_dynamics_reactions_wrenches(*arguments):
         B_reactions_fx = -t36
         t39 = crank_cos * minus_coupler_joint_sent_fx - crank_sin * minus_coupler_joint_sent_fy
         B_reactions_fz = -t39
-        coupler_position_z = 0.15 * crank_cos
+        coupler_position_z = B_at_z * crank_cos
         B_reactions_mx = coupler_position_z * multipliers_2 - (t27 + crank_cos * minus_coupler_joint_sent_my)
-        coupler_position_x = 0.15 * crank_sin
+        coupler_position_x = B_at_z * crank_sin
         B_reactions_my = coupler_position_x * t39 - coupler_position_z * t36
         t48 = t32 - crank_sin * minus_coupler_joint_sent_my + coupler_position_x * multipliers_2
         B_reactions_mz = -t48
@@ -1979,15 +2137,15 @@ def _forward_dynamics_reactions_wrenches(*arguments):
         C_reactions_my = -t68
         t71 = minus_coupler_rotation_xy * multipliers_3 + coupler_rotation_xx * multipliers_4
         C_reactions_mz = t71 - t66 * multipliers_2
-        t73 = 0.4899573262537283 - D_q  # D
+        t73 = rocker_phase - D_q  # D
         # rocker: geometry; momentum rate, eq. (35)
         minus_rocker_sin = np.sin(t73)
-        minus_rocker_rate_fx = 0.306 * (D_v * D_v)
+        minus_rocker_rate_fx = rocker_mx * (D_v * D_v)
         rocker_cos = np.cos(t73)
-        minus_rocker_rate_fx_2 = minus_rocker_rate_fx - 11.772 * rocker_cos
+        minus_rocker_rate_fx_2 = minus_rocker_rate_fx - rocker_m_gravity_z * rocker_cos
         # rocker: balance, eqs. (40)-(47); momentum rate, eq. (35)
         t75 = minus_rocker_sin * minus_rocker_rate_fx_2
-        rocker_rate_fy_2 = 0.306 * D_a + 11.772 * minus_rocker_sin
+        rocker_rate_fy_2 = rocker_mx * D_a + rocker_m_gravity_z * minus_rocker_sin
         t78 = t75 + rocker_cos * rocker_rate_fy_2
         t81 = coupler_cos * multipliers_0 - coupler_sin * multipliers_1
         t82 = crank_sin * t81
@@ -1999,29 +2157,30 @@ def _forward_dynamics_reactions_wrenches(*arguments):
         t95 = t24 - coupler_sin * multipliers_4
         t96 = crank_sin * t95
         t98 = t28 + coupler_cos * multipliers_4
-        rocker_joint_sent_my = t96 + crank_cos * t98 - 0.51 * rocker_cos * multipliers_2
-        D_reactions_my = 0.64 * minus_rocker_joint_sent_fx
-        rocker_joint_sent_mx = crank_cos * t95 - crank_sin * t98 - 0.51 * minus_rocker_sin * multipliers_2
-        D_reactions_mz = rocker_joint_sent_mx + 0.64 * multipliers_2
-        t107 = 3.3146717314850727 * minus_crank_joint_sent_mx  # crank
+        rocker_joint_sent_my = t96 + crank_cos * t98 - k6 * rocker_cos * multipliers_2
+        D_reactions_my = D_at_x * minus_rocker_joint_sent_fx
+        rocker_joint_sent_mx = crank_cos * t95 - crank_sin * t98 - k6 * minus_rocker_sin * multipliers_2
+        D_reactions_mz = rocker_joint_sent_mx + D_at_x * multipliers_2
+        t107 = per_length * minus_crank_joint_sent_mx  # crank
         sized_3 = -t107
-        t108 = 3.3146717314850727 * minus_crank_joint_sent_my  # crank
+        t108 = per_length * minus_crank_joint_sent_my  # crank
         sized_4 = -t108
         coupler_joint_sent_fx = -minus_coupler_joint_sent_fx
         coupler_joint_sent_fy = -minus_coupler_joint_sent_fy
-        t109 = 3.3146717314850727 * minus_coupler_joint_sent_mx  # coupler
+        t109 = per_length * minus_coupler_joint_sent_mx  # coupler
         # mechanism: results
         sized_9 = -t109
-        t110 = 3.3146717314850727 * minus_coupler_joint_sent_my  # coupler
+        t110 = per_length * minus_coupler_joint_sent_my  # coupler
         sized_10 = -t110
         C_joint_reaction_fx = -multipliers_0
         C_joint_reaction_fy = -multipliers_1
-        t111 = 3.3146717314850727 * multipliers_3
+        t111 = per_length * multipliers_3
         sized_15 = -t111
-        t112 = 3.3146717314850727 * multipliers_4
+        t112 = per_length * multipliers_4
         sized_16 = -t112
-        sized_21 = 3.3146717314850727 * rocker_joint_sent_mx
-        sized_22 = 3.3146717314850727 * rocker_joint_sent_my
+        sized_21 = per_length * rocker_joint_sent_mx
+        sized_22 = per_length * rocker_joint_sent_my
+        guards = ()
         return _finish(batch, ((crank_joint_sent_fy, C_joint_reaction_fz, crank_joint_sent_fx,
             crank_joint_sent_my, 0.0, crank_joint_sent_mx, B_reactions_fx, C_joint_reaction_fz,
             B_reactions_fz, B_reactions_mx, B_reactions_my, B_reactions_mz, C_reactions_fx,
@@ -2031,7 +2190,7 @@ def _forward_dynamics_reactions_wrenches(*arguments):
             C_joint_reaction_fz, sized_3, sized_4, 0.0, coupler_joint_sent_fx,
             coupler_joint_sent_fy, C_joint_reaction_fz, sized_9, sized_10, 0.0, C_joint_reaction_fx,
             C_joint_reaction_fy, C_joint_reaction_fz, sized_15, sized_16, 0.0, rocker_joint_sent_fx,
-            rocker_joint_sent_fy, multipliers_2, sized_21, sized_22, 0.0)), (),
+            rocker_joint_sent_fy, multipliers_2, sized_21, sized_22, 0.0)), guards,
             (crank_joint_sent_fy, crank_joint_sent_fx, B_reactions_mx, B_reactions_my, t48,
             C_reactions_mx, t68, C_reactions_mz, rocker_joint_sent_fy, D_reactions_my,
             D_reactions_mz, t107, t108, t109, t110, t111, t112, sized_21, sized_22, A_u))
@@ -2068,8 +2227,9 @@ def forward_dynamics_reactions(*arguments):
       divided by the characteristic length 0.301689 m); not unique: C.fy, C.mx, C.mz, B.fy, B.mx, B.mz,
       D.fy, D.mx, D.mz, A.fy, A.mx, A.mz
     """
-    settings = ((1.0, 1.0, 1.0,), (3.3146717314850727, 3.3146717314850727, 3.3146717314850727, 1.0, 1.0,), 2, 1.0e-09)
-    return _rank_revealing(_forward_dynamics_reactions_first, _forward_dynamics_reactions_dense, _forward_dynamics_reactions_wrenches, arguments, *settings)
+    settings = ((1.0, 1.0, 1.0,), (per_length, per_length, per_length, 1.0, 1.0,), 2, 1.0e-09)
+    return _rank_revealing(_forward_dynamics_reactions_first, _forward_dynamics_reactions_dense,
+        _forward_dynamics_reactions_wrenches, arguments, *settings)
 
 
 def close_position(*arguments):
@@ -2095,30 +2255,30 @@ def close_position(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # B: geometry
-        t1 = 0.9272952180016122 + B_q
+        t1 = coupler_phase + B_q
         coupler_cos = np.cos(t1)
-        crank_lever_mz_by_C_fy = 0.5 + 0.15 * coupler_cos
+        crank_lever_mz_by_C_fy = 0.5 + B_at_z * coupler_cos
         crank_sin = np.sin(A_q)
         coupler_sin = np.sin(t1)
         t3 = crank_sin * coupler_sin  # coupler
         crank_cos = np.cos(A_q)
         minus_coupler_rotation_xy = t3 - crank_cos * coupler_cos
-        t5 = 0.4899573262537283 - D_q  # D
-        minus_rocker_joint_force_my_by_C_fz = 0.51 * np.cos(t5)
+        t5 = rocker_phase - D_q  # D
+        minus_rocker_joint_force_my_by_C_fz = k6 * np.cos(t5)
         t6 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
-        minus_rocker_joint_force_mx_by_C_fz = 0.51 * np.sin(t5)
+        minus_rocker_joint_force_mx_by_C_fz = k6 * np.sin(t5)
         # C: loop closure; rates that follow; results
         C_closure_fy_by_D = t6 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
-        crank_lever_mz_by_C_fx = 0.15 * coupler_sin
+        crank_lever_mz_by_C_fx = B_at_z * coupler_sin
         t10 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz
         minus_C_closure_fx_by_D = t10 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
         t12 = 1.0 / minus_C_closure_fx_by_D
         D_null_space_by_A = crank_lever_mz_by_C_fx * t12
         minus_B_null_space_by_A = 2.0 * (crank_lever_mz_by_C_fy + C_closure_fy_by_D * D_null_space_by_A)
-        t18 = 0.15 * crank_sin + 0.5 * coupler_rotation_xx - (0.64 - minus_rocker_joint_force_mx_by_C_fz)
+        t18 = B_at_z * crank_sin + 0.5 * coupler_rotation_xx - (D_at_x - minus_rocker_joint_force_mx_by_C_fz)
         t19 = minus_coupler_rotation_xy * t18
-        t22 = 0.15 * crank_cos - 0.5 * minus_coupler_rotation_xy - minus_rocker_joint_force_my_by_C_fz
+        t22 = B_at_z * crank_cos - 0.5 * minus_coupler_rotation_xy - minus_rocker_joint_force_my_by_C_fz
         minus_C_opening_fy = t19 + coupler_rotation_xx * t22
         C_opening_fx = coupler_rotation_xx * t18 - minus_coupler_rotation_xy * t22
         t26 = C_opening_fx * t12
@@ -2129,12 +2289,16 @@ def close_position(*arguments):
         A_q_next = A_q + t36
         B_q_next = B_q + (t29 - minus_B_null_space_by_A * t36)
         D_q_next = D_q + (t26 + D_null_space_by_A * t36)
-        t41 = 3.3146717314850727 * C_opening_fx
+        t41 = per_length * C_opening_fx
         t42 = t41 * t41
-        t43 = 3.3146717314850727 * minus_C_opening_fy
+        t43 = per_length * minus_C_opening_fy
         residual_residual = np.sqrt(t42 + t43 * t43)
-        return _finish(batch, ((A_q_next, B_q_next, D_q_next), (residual_residual,)),
-            ((minus_C_closure_fx_by_D, 3.01689e-10), (pivot_0, 2.4194e-09)),
+        guards = (  # status 1 where a pivot is smaller than its limit:
+            (minus_C_closure_fx_by_D, 3.01689e-10),  # where D does not move the loop at C
+            (pivot_0, 2.4194e-09),  # where step 0 of symmetric equations loses rank: of drives, inertia or internal
+            # loads
+        )
+        return _finish(batch, ((A_q_next, B_q_next, D_q_next), (residual_residual,)), guards,
             (minus_C_closure_fx_by_D, pivot_0, A_q_next, B_q_next, D_q_next, residual_residual))
 
 
@@ -2160,21 +2324,21 @@ def close_velocity(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # B: geometry; rates that follow; results
-        t1 = 0.9272952180016122 + B_q
+        t1 = coupler_phase + B_q
         coupler_cos = np.cos(t1)
-        crank_lever_mz_by_C_fy = 0.5 + 0.15 * coupler_cos
+        crank_lever_mz_by_C_fy = 0.5 + B_at_z * coupler_cos
         crank_sin = np.sin(A_q)
         coupler_sin = np.sin(t1)
         t3 = crank_sin * coupler_sin  # coupler
         crank_cos = np.cos(A_q)
         minus_coupler_rotation_xy = t3 - crank_cos * coupler_cos
-        t5 = 0.4899573262537283 - D_q  # D
-        minus_rocker_joint_force_my_by_C_fz = 0.51 * np.cos(t5)
+        t5 = rocker_phase - D_q  # D
+        minus_rocker_joint_force_my_by_C_fz = k6 * np.cos(t5)
         t6 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
-        minus_rocker_joint_force_mx_by_C_fz = 0.51 * np.sin(t5)
+        minus_rocker_joint_force_mx_by_C_fz = k6 * np.sin(t5)
         C_closure_fy_by_D = t6 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
-        crank_lever_mz_by_C_fx = 0.15 * coupler_sin
+        crank_lever_mz_by_C_fx = B_at_z * coupler_sin
         t10 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
         minus_C_closure_fx_by_D = t10 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
         D_null_space_by_A = crank_lever_mz_by_C_fx / minus_C_closure_fx_by_D
@@ -2185,8 +2349,13 @@ def close_velocity(*arguments):
         t21 = minus_B_null_space_by_A * A_v_next
         B_v_next = -t21
         D_v_next = D_null_space_by_A * A_v_next
-        return _finish(batch, ((A_v_next, B_v_next, D_v_next),), ((minus_C_closure_fx_by_D,
-            3.01689e-10), (pivot_0, 2.4194e-09)), (minus_C_closure_fx_by_D, pivot_0, t21, D_v_next))
+        guards = (  # status 1 where a pivot is smaller than its limit:
+            (minus_C_closure_fx_by_D, 3.01689e-10),  # where D does not move the loop at C
+            (pivot_0, 2.4194e-09),  # where step 0 of symmetric equations loses rank: of drives, inertia or internal
+            # loads
+        )
+        return _finish(batch, ((A_v_next, B_v_next, D_v_next),), guards, (minus_C_closure_fx_by_D,
+            pivot_0, t21, D_v_next))
 
 
 def inverse_kinematics(*arguments):
@@ -2210,27 +2379,28 @@ def inverse_kinematics(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # D: geometry
-        t1 = 0.4899573262537283 - D_pose
+        t1 = rocker_phase - D_pose
         # rocker: balance, eqs. (40)-(47); geometry; reciprocal wrenches, eq. (10)
-        minus_rocker_joint_force_my_by_C_fz = 0.51 * np.cos(t1)
+        minus_rocker_joint_force_my_by_C_fz = k6 * np.cos(t1)
         t2 = minus_rocker_joint_force_my_by_C_fz * minus_rocker_joint_force_my_by_C_fz
-        t3 = 0.64 - 0.51 * np.sin(t1)
+        t3 = D_at_x - k6 * np.sin(t1)
         t5 = t2 + t3 * t3
         t6 = 1.0 / t5
-        t7 = t5 - 0.2725
-        minus_crank_lever_my_by_C_fz = 0.15 + 3.3333333333333335 * t7
+        t7 = t5 - k14
+        minus_crank_lever_my_by_C_fz = B_at_z + k15 * t7
         t8 = t3 * minus_crank_lever_my_by_C_fz  # crank
         t9 = 0.5 * t7
-        t11 = 0.005625 - t9 * t9
+        t11 = k16 - t9 * t9
         t12 = np.sqrt(t11)
         t14 = np.where(0.0 != 0.0, -t12, t12)
-        crank_lever_mx_by_C_fz = 6.666666666666667 * t14
+        crank_lever_mx_by_C_fz = k17 * t14
         crank_sin = t6 * (t8 - minus_rocker_joint_force_my_by_C_fz * crank_lever_mx_by_C_fz)
         t17 = minus_rocker_joint_force_my_by_C_fz * minus_crank_lever_my_by_C_fz  # crank
         A_q = np.arctan2(crank_sin, t6 * (t17 + t3 * crank_lever_mx_by_C_fz))
-        t22 = 8.0 * t14 - 5.333333333333333 * t7
-        B_q = np.arctan2(t22, 4.0 * t7 + 10.666666666666666 * t14)
-        return _finish(batch, ((A_q, B_q, D_pose),), (), (A_q, B_q, D_pose), ((t11, 0.0, None,
+        t22 = k18 * t14 - k19 * t7
+        B_q = np.arctan2(t22, 4.0 * t7 + k20 * t14)
+        guards = ()
+        return _finish(batch, ((A_q, B_q, D_pose),), guards, (A_q, B_q, D_pose), ((t11, 0.0, None,
             11),))
 
 
@@ -2254,24 +2424,26 @@ def drive_positions(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # D: geometry
-        t1 = 0.4899573262537283 - D_pose
+        t1 = rocker_phase - D_pose
         # rocker: balance, eqs. (40)-(47); geometry; reciprocal wrenches, eq. (10)
-        minus_rocker_joint_force_my_by_C_fz = 0.51 * np.cos(t1)
+        minus_rocker_joint_force_my_by_C_fz = k6 * np.cos(t1)
         t2 = minus_rocker_joint_force_my_by_C_fz * minus_rocker_joint_force_my_by_C_fz
-        t3 = 0.64 - 0.51 * np.sin(t1)
+        t3 = D_at_x - k6 * np.sin(t1)
         t5 = t2 + t3 * t3
         t6 = 1.0 / t5
-        t7 = t5 - 0.2725
-        minus_crank_lever_my_by_C_fz = 0.15 + 3.3333333333333335 * t7
+        t7 = t5 - k14
+        minus_crank_lever_my_by_C_fz = B_at_z + k15 * t7
         t8 = t3 * minus_crank_lever_my_by_C_fz  # crank
         t9 = 0.5 * t7
-        t11 = 0.005625 - t9 * t9
+        t11 = k16 - t9 * t9
         t12 = np.sqrt(t11)
-        crank_lever_mx_by_C_fz = 6.666666666666667 * np.where(0.0 != 0.0, -t12, t12)
+        crank_lever_mx_by_C_fz = k17 * np.where(0.0 != 0.0, -t12, t12)
         crank_sin = t6 * (t8 - minus_rocker_joint_force_my_by_C_fz * crank_lever_mx_by_C_fz)
         t17 = minus_rocker_joint_force_my_by_C_fz * minus_crank_lever_my_by_C_fz  # crank
         A_positions = np.arctan2(crank_sin, t6 * (t17 + t3 * crank_lever_mx_by_C_fz))
-        return _finish(batch, ((A_positions,),), (), (A_positions, D_pose), ((t11, 0.0, None, 11),))
+        guards = ()
+        return _finish(batch, ((A_positions,),), guards, (A_positions, D_pose), ((t11, 0.0, None,
+            11),))
 
 
 def inverse_velocity(*arguments):
@@ -2297,26 +2469,26 @@ def inverse_velocity(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # D: geometry
-        t1 = 0.4899573262537283 - D_pose
+        t1 = rocker_phase - D_pose
         # rocker: geometry; balance, eqs. (40)-(47); reciprocal wrenches, eq. (10)
         rocker_cos = np.cos(t1)
-        minus_rocker_joint_force_my_by_C_fz = 0.51 * rocker_cos
+        minus_rocker_joint_force_my_by_C_fz = k6 * rocker_cos
         t2 = minus_rocker_joint_force_my_by_C_fz * minus_rocker_joint_force_my_by_C_fz
         minus_rocker_sin = np.sin(t1)
-        t3 = 0.64 - 0.51 * minus_rocker_sin
+        t3 = D_at_x - k6 * minus_rocker_sin
         t5 = t2 + t3 * t3
-        t6 = t5 - 0.2725
-        coupler_cos = 6.666666666666667 * t6
+        t6 = t5 - k14
+        coupler_cos = k17 * t6
         t7 = 1.0 / t5
-        minus_crank_lever_my_by_C_fz = 0.15 + 3.3333333333333335 * t6
+        minus_crank_lever_my_by_C_fz = B_at_z + k15 * t6
         t8 = minus_rocker_joint_force_my_by_C_fz * minus_crank_lever_my_by_C_fz  # crank
         t9 = 0.5 * t6
-        t11 = 0.005625 - t9 * t9
+        t11 = k16 - t9 * t9
         t12 = np.sqrt(t11)
         t14 = np.where(0.0 != 0.0, -t12, t12)
-        crank_lever_mx_by_C_fz = 6.666666666666667 * t14
+        crank_lever_mx_by_C_fz = k17 * t14
         crank_cos = t7 * (t8 + t3 * crank_lever_mx_by_C_fz)
-        t17 = 0.51 * D_rate  # D
+        t17 = k6 * D_rate  # D
         t18 = minus_rocker_sin * t17  # C
         t19 = crank_cos * t18  # C
         t20 = t3 * minus_crank_lever_my_by_C_fz  # crank
@@ -2324,16 +2496,20 @@ def inverse_velocity(*arguments):
         t23 = rocker_cos * t17  # C
         t25 = t19 + crank_sin * t23  # C
         t26 = coupler_cos * t25  # C
-        coupler_sin = 13.333333333333334 * t14
+        coupler_sin = k21 * t14
         t29 = crank_sin * t18 - crank_cos * t23  # C
         minus_C_opening_rate_fx = t26 - coupler_sin * t29
         crank_lever_mz_by_C_fx = 2.0 * t14
         crank_omega_z = minus_C_opening_rate_fx / crank_lever_mz_by_C_fx
-        t34 = coupler_sin * t25 + coupler_cos * t29 + (t5 + 0.2275) * crank_omega_z  # B
+        t34 = coupler_sin * t25 + coupler_cos * t29 + (t5 + k22) * crank_omega_z  # B
         t35 = 2.0 * t34  # B
         B_v = -t35
-        return _finish(batch, ((crank_omega_z, B_v, D_rate),), ((crank_lever_mz_by_C_fx,
-            3.01689e-10),), (crank_lever_mz_by_C_fx, t35), ((t11, 0.0, None, 11),))
+        guards = (  # status 1 where a pivot is smaller than its limit:
+            (crank_lever_mz_by_C_fx, 3.01689e-10),  # where the reciprocal wrench C.fx has no power along crank, as
+            # in a stretched limb
+        )
+        return _finish(batch, ((crank_omega_z, B_v, D_rate),), guards, (crank_lever_mz_by_C_fx,
+            t35), ((t11, 0.0, None, 11),))
 
 
 def inverse_dynamics_platform(*arguments):
@@ -2356,42 +2532,43 @@ def inverse_dynamics_platform(*arguments):
       11 out of reach: limb A does not get there; all outputs are NaN
     Operations: 145 (add 45, mul 87, div 3, sqrt 1, trig 2, compare 7)
     """
-    entries, batch = _entries("inverse_dynamics_platform", {"pose": 1, "rate": 1, "acceleration": 1}, arguments)
+    entries, batch = _entries("inverse_dynamics_platform", {"pose": 1, "rate": 1, "acceleration":
+        1}, arguments)
     (
         D_pose, D_rate, D_acc,
     ) = entries
     with np.errstate(all="ignore"):
         # D: geometry
-        t1 = 0.4899573262537283 - D_pose
+        t1 = rocker_phase - D_pose
         # rocker: geometry; balance, eqs. (40)-(47)
         rocker_cos = np.cos(t1)
-        minus_rocker_joint_force_my_by_C_fz = 0.51 * rocker_cos
+        minus_rocker_joint_force_my_by_C_fz = k6 * rocker_cos
         # rocker: reciprocal wrenches, eq. (10); geometry; loop closure
         t2 = minus_rocker_joint_force_my_by_C_fz * minus_rocker_joint_force_my_by_C_fz
         minus_rocker_sin = np.sin(t1)
-        minus_rocker_joint_force_mx_by_C_fz = 0.51 * minus_rocker_sin
-        t3 = 0.64 - minus_rocker_joint_force_mx_by_C_fz
+        minus_rocker_joint_force_mx_by_C_fz = k6 * minus_rocker_sin
+        t3 = D_at_x - minus_rocker_joint_force_mx_by_C_fz
         t5 = t2 + t3 * t3
-        t6 = t5 - 0.2725
+        t6 = t5 - k14
         t7 = 0.5 * t6
-        t9 = 0.005625 - t7 * t7
+        t9 = k16 - t7 * t7
         t10 = np.sqrt(t9)
         t12 = np.where(0.0 != 0.0, -t10, t10)
         crank_lever_mz_by_C_fx = 2.0 * t12
-        rocker_rate_mz_2 = 3.00186 * minus_rocker_sin + 0.10404 * D_acc
+        rocker_rate_mz_2 = gravity_z_rocker_mx * minus_rocker_sin + rocker_sxx * D_acc
         t14 = 1.0 / t5
-        minus_crank_lever_my_by_C_fz = 0.15 + 3.3333333333333335 * t6
+        minus_crank_lever_my_by_C_fz = B_at_z + k15 * t6
         t15 = t3 * minus_crank_lever_my_by_C_fz  # crank
-        crank_lever_mx_by_C_fz = 6.666666666666667 * t12
+        crank_lever_mx_by_C_fz = k17 * t12
         crank_sin = t14 * (t15 - minus_rocker_joint_force_my_by_C_fz * crank_lever_mx_by_C_fz)
-        coupler_sin = 13.333333333333334 * t12
+        coupler_sin = k21 * t12
         minus_C_part_fx_by_A = 1.0 / crank_lever_mz_by_C_fx
-        coupler_cos = 6.666666666666667 * t6
+        coupler_cos = k17 * t6
         t18 = minus_rocker_joint_force_my_by_C_fz * minus_crank_lever_my_by_C_fz  # crank
         crank_cos = t14 * (t18 + t3 * crank_lever_mx_by_C_fz)
-        t21 = 0.51 * (D_rate * D_rate)
+        t21 = k6 * (D_rate * D_rate)
         t22 = rocker_cos * t21
-        t23 = 0.51 * D_acc  # D
+        t23 = k6 * D_acc  # D
         # C: loop closure; balance, eqs. (40)-(47)
         t25 = t22 - minus_rocker_sin * t23
         t26 = crank_cos * t25
@@ -2400,7 +2577,7 @@ def inverse_dynamics_platform(*arguments):
         t32 = coupler_cos * t31
         t35 = crank_sin * t25 + crank_cos * t29
         t37 = t32 - coupler_sin * t35
-        t38 = 0.51 * D_rate  # D
+        t38 = k6 * D_rate  # D
         t39 = minus_rocker_sin * t38
         t40 = crank_cos * t39
         t41 = rocker_cos * t38
@@ -2408,32 +2585,42 @@ def inverse_dynamics_platform(*arguments):
         t44 = coupler_cos * t43
         t47 = crank_sin * t39 - crank_cos * t41
         crank_omega_z = (t44 - coupler_sin * t47) * minus_C_part_fx_by_A
-        t49 = 0.15 * (crank_omega_z * crank_omega_z)  # crank
+        t49 = B_at_z * (crank_omega_z * crank_omega_z)  # crank
         minus_coupler_acc_x = coupler_cos * t49
         C_opening_rate_fy = coupler_sin * t43 + coupler_cos * t47
-        crank_lever_mz_by_C_fy = t5 + 0.2275
+        crank_lever_mz_by_C_fy = t5 + k22
         coupler_omega_z = crank_omega_z - 2.0 * (C_opening_rate_fy + crank_lever_mz_by_C_fy * crank_omega_z)
         minus_coupler_U_xx = coupler_omega_z * coupler_omega_z
         minus_crank_alpha_z = minus_C_part_fx_by_A * (t37 - (minus_coupler_acc_x + 0.5 * minus_coupler_U_xx))
         C_opening_bias_fy = coupler_sin * t49 - (coupler_sin * t31 + coupler_cos * t35)
-        minus_coupler_alpha_z = minus_crank_alpha_z + 2.0 * (C_opening_bias_fy - crank_lever_mz_by_C_fy * minus_crank_alpha_z)
-        t63 = 0.1 * minus_coupler_alpha_z  # coupler
-        t65 = coupler_sin * (t49 - 9.81 * crank_cos)  # coupler
-        t69 = 0.3 * (t65 - coupler_cos * (9.81 * crank_sin + 0.15 * minus_crank_alpha_z))  # coupler
+        minus_coupler_alpha_z = (
+            minus_crank_alpha_z + 2.0 * (C_opening_bias_fy - crank_lever_mz_by_C_fy * minus_crank_alpha_z)
+        )
+        t63 = coupler_sxx * minus_coupler_alpha_z  # coupler
+        t65 = coupler_sin * (t49 - gravity_z * crank_cos)  # coupler
+        t69 = k7 * (t65 - coupler_cos * (gravity_z * crank_sin + B_at_z * minus_crank_alpha_z))  # coupler
         minus_C_multiplier_fy = 2.0 * (t63 - t69)
         t70 = coupler_sin * minus_C_multiplier_fy  # rocker
         t71 = crank_sin * t70  # rocker
         t72 = coupler_cos * minus_C_multiplier_fy  # rocker
         t75 = minus_rocker_joint_force_my_by_C_fz * (t71 - crank_cos * t72)  # rocker
-        rocker_joint_force_mz = rocker_rate_mz_2 + (t75 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * t70 + crank_sin * t72))
+        rocker_joint_force_mz = (
+            rocker_rate_mz_2 + (t75 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * t70 + crank_sin * t72))
+        )
         t83 = minus_rocker_joint_force_my_by_C_fz * (crank_sin * coupler_cos + crank_cos * coupler_sin)
-        minus_C_closure_fx_by_D = t83 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * coupler_cos - crank_sin * coupler_sin)
+        minus_C_closure_fx_by_D = (
+            t83 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * coupler_cos - crank_sin * coupler_sin)
+        )
         t87 = crank_lever_mz_by_C_fx * (rocker_joint_force_mz / minus_C_closure_fx_by_D)  # A
-        t90 = coupler_sin * (0.3 * minus_coupler_U_xx) + coupler_cos * (0.3 * minus_coupler_alpha_z) - t72  # crank
-        A_balance = t87 - (0.15 * t90 + (0.03075 * minus_crank_alpha_z + 2.133675 * crank_sin))
-        return _finish(batch, ((A_balance,),), ((crank_lever_mz_by_C_fx, 3.01689e-10),
-            (minus_C_closure_fx_by_D, 5.057800000000001e-10)), (minus_C_closure_fx_by_D, A_balance),
-            ((t9, 0.0, None, 11),))
+        t90 = coupler_sin * (k7 * minus_coupler_U_xx) + coupler_cos * (k7 * minus_coupler_alpha_z) - t72  # crank
+        A_balance = t87 - (B_at_z * t90 + (k8 * minus_crank_alpha_z + k12 * crank_sin))
+        guards = (  # status 1 where a pivot is smaller than its limit:
+            (crank_lever_mz_by_C_fx, 3.01689e-10),  # where the reciprocal wrench C.fx has no power along crank, as
+            # in a stretched limb
+            (minus_C_closure_fx_by_D, 5.057800000000001e-10),  # where D does not move the loop at C
+        )
+        return _finish(batch, ((A_balance,),), guards, (minus_C_closure_fx_by_D, A_balance), ((t9,
+            0.0, None, 11),))
 
 
 def _assemble_step(*arguments):
@@ -2446,28 +2633,28 @@ def _assemble_step(*arguments):
         # A: results
         t1 = A_q - A_y
         crank_sin = np.sin(A_q)
-        t2 = 0.9272952180016122 + B_q  # B
+        t2 = coupler_phase + B_q  # B
         coupler_cos = np.cos(t2)
         t3 = crank_sin * coupler_cos  # coupler
         crank_cos = np.cos(A_q)
         coupler_sin = np.sin(t2)
         coupler_rotation_xx = t3 + crank_cos * coupler_sin
-        t6 = 0.15 * crank_sin + 0.5 * coupler_rotation_xx  # coupler
-        t7 = 0.4899573262537283 - D_q  # D
-        minus_rocker_joint_force_mx_by_C_fz = 0.51 * np.sin(t7)
+        t6 = B_at_z * crank_sin + 0.5 * coupler_rotation_xx  # coupler
+        t7 = rocker_phase - D_q  # D
+        minus_rocker_joint_force_mx_by_C_fz = k6 * np.sin(t7)
         # C: loop closure; results
-        t9 = t6 - (0.64 - minus_rocker_joint_force_mx_by_C_fz)
+        t9 = t6 - (D_at_x - minus_rocker_joint_force_mx_by_C_fz)
         t10 = coupler_rotation_xx * t9
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
-        t14 = 0.15 * crank_cos - 0.5 * minus_coupler_rotation_xy  # coupler
-        minus_rocker_joint_force_my_by_C_fz = 0.51 * np.cos(t7)
+        t14 = B_at_z * crank_cos - 0.5 * minus_coupler_rotation_xy  # coupler
+        minus_rocker_joint_force_my_by_C_fz = k6 * np.cos(t7)
         t15 = t14 - minus_rocker_joint_force_my_by_C_fz
         C_opening_fx = t10 - minus_coupler_rotation_xy * t15
         t17 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz
         minus_C_closure_fx_by_D = t17 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
         t19 = 1.0 / minus_C_closure_fx_by_D
         t20 = C_opening_fx * t19
-        t22 = t19 * (0.15 * coupler_sin * t1)  # step
+        t22 = t19 * (B_at_z * coupler_sin * t1)  # step
         t23 = t20 - t22  # step
         t24 = t23 * t23  # step
         t25 = t1 * t1  # A
@@ -2475,7 +2662,7 @@ def _assemble_step(*arguments):
         t28 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz
         C_closure_fy_by_D = t28 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
         t31 = minus_C_opening_fy - C_closure_fy_by_D * t20
-        t36 = t31 + ((0.5 + 0.15 * coupler_cos) * t1 + C_closure_fy_by_D * t22)  # step
+        t36 = t31 + ((0.5 + B_at_z * coupler_cos) * t1 + C_closure_fy_by_D * t22)  # step
         t37 = 2.0 * t36  # step
         step_step = np.sqrt(t24 + (t25 + t37 * t37))
         t41 = np.where(step_step < 0.5, 1.0, 0.0)  # step
@@ -2483,15 +2670,18 @@ def _assemble_step(*arguments):
         A_q_next = A_q - t1 * t44
         B_q_next = B_q + t37 * t44
         D_q_next = D_q + t23 * t44
-        t48 = 3.3146717314850727 * C_opening_fx
+        t48 = per_length * C_opening_fx
         t49 = t48 * t48
-        t50 = 3.3146717314850727 * minus_C_opening_fy
+        t50 = per_length * minus_C_opening_fy
         residual_residual = np.sqrt(t49 + t50 * t50)
         t53 = 0.5 * minus_C_closure_fx_by_D
         orientation_orientation = -t53
+        guards = (  # status 1 where a pivot is smaller than its limit:
+            (minus_C_closure_fx_by_D, 3.01689e-13),  # where D does not move the loop at C
+        )
         return _finish(batch, ((A_q_next, B_q_next, D_q_next), (residual_residual,), (step_step,),
-            (orientation_orientation,)), ((minus_C_closure_fx_by_D, 3.01689e-13),), (step_step,
-            A_q_next, B_q_next, D_q_next, residual_residual, t53))
+            (orientation_orientation,)), guards, (step_step, A_q_next, B_q_next, D_q_next,
+            residual_residual, t53))
 
 
 def assemble(*arguments):
@@ -2538,8 +2728,9 @@ def limb_margins(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # rocker: results
-        rocker_margins = 0.8240286515629687 * np.sin(0.9272952180016122 + B_q)
-        return _finish(batch, ((rocker_margins,),), (), (rocker_margins, A_q, D_q))
+        rocker_margins = k23 * np.sin(coupler_phase + B_q)
+        guards = ()
+        return _finish(batch, ((rocker_margins,),), guards, (rocker_margins, A_q, D_q))
 
 
 def constraint_margin(*arguments):
@@ -2561,30 +2752,30 @@ def constraint_margin(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # B: geometry
-        t1 = 0.9272952180016122 + B_q
+        t1 = coupler_phase + B_q
         coupler_sin = np.sin(t1)
-        t2 = 0.8240286515629687 * coupler_sin  # coupler
+        t2 = k23 * coupler_sin  # coupler
         t3 = t2 * t2  # coupler
-        t4 = 0.4972007597227609 * coupler_sin  # coupler
+        t4 = per_length_B_at_z * coupler_sin  # coupler
         crank_sin = np.sin(A_q)
         t5 = crank_sin * coupler_sin  # coupler
         crank_cos = np.cos(A_q)
         coupler_cos = np.cos(t1)
         minus_coupler_rotation_xy = t5 - crank_cos * coupler_cos
-        t7 = 0.4899573262537283 - D_q  # D
-        minus_rocker_joint_force_my_by_C_fz = 0.51 * np.cos(t7)
+        t7 = rocker_phase - D_q  # D
+        minus_rocker_joint_force_my_by_C_fz = k6 * np.cos(t7)
         t8 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
-        minus_rocker_joint_force_mx_by_C_fz = 0.51 * np.sin(t7)
-        t13 = t4 * (3.3146717314850727 * (t8 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz))  # rocker
+        minus_rocker_joint_force_mx_by_C_fz = k6 * np.sin(t7)
+        t13 = t4 * (per_length * (t8 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz))  # rocker
         t14 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
         minus_C_closure_fx_by_D = t14 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
-        t19 = 3.3146717314850727 * minus_C_closure_fx_by_D * (3.3146717314850727 * (0.5 + 0.15 * coupler_cos))  # rocker
-        t20 = t13 + t19  # rocker
+        t20 = t13 + per_length * minus_C_closure_fx_by_D * (per_length * (0.5 + B_at_z * coupler_cos))  # rocker
         t22 = t3 + t20 * t20  # rocker
-        t23 = 5.4935243437531245 * minus_C_closure_fx_by_D  # C
+        t23 = k24 * minus_C_closure_fx_by_D  # C
         rocker_margins = t22 + t23 * t23
-        return _finish(batch, ((rocker_margins,),), (), (rocker_margins,))
+        guards = ()
+        return _finish(batch, ((rocker_margins,),), guards, (rocker_margins,))
 
 
 def actuation_margins(*arguments):
@@ -2607,14 +2798,15 @@ def actuation_margins(*arguments):
     with np.errstate(all="ignore"):
         # crank: geometry
         crank_sin = np.sin(A_q)
-        t1 = 0.9272952180016122 + B_q  # B
+        t1 = coupler_phase + B_q  # B
         coupler_cos = np.cos(t1)
         t2 = crank_sin * coupler_cos  # coupler
         crank_cos = np.cos(A_q)
         coupler_sin = np.sin(t1)
         coupler_rotation_xx = t2 + crank_cos * coupler_sin
-        t4 = 0.4899573262537283 - D_q  # D
-        t5 = coupler_rotation_xx * (0.51 * np.cos(t4))  # C
-        t8 = (crank_sin * coupler_sin - crank_cos * coupler_cos) * (0.51 * np.sin(t4))  # C
-        all_drives_margins = 5.4935243437531245 * (t5 - t8)
-        return _finish(batch, ((all_drives_margins,),), (), (all_drives_margins,))
+        t4 = rocker_phase - D_q  # D
+        t5 = coupler_rotation_xx * (k6 * np.cos(t4))  # C
+        t8 = (crank_sin * coupler_sin - crank_cos * coupler_cos) * (k6 * np.sin(t4))  # C
+        all_drives_margins = k24 * (t5 - t8)
+        guards = ()
+        return _finish(batch, ((all_drives_margins,),), guards, (all_drives_margins,))

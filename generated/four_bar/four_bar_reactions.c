@@ -64,9 +64,11 @@ BODY(four_bar_joint_reactions)(size_t stride, const double *restrict q, const do
     const REAL coupler_position_z = B_at_z * crank_cos, t54 = coupler_position_z * B_reaction_fx, /* B */
       coupler_position_x = B_at_z * crank_sin;
     RESULT(checked0, reactions, 10, t54 - coupler_position_x * B_reaction_fz);
-    const REAL minus_C_reaction_fz = minus_coupler_rotation_xy * minus_C_multiplier_fx - coupler_rotation_xx * C_multiplier_fy;
+    const REAL minus_C_reaction_fz = minus_coupler_rotation_xy * minus_C_multiplier_fx - coupler_rotation_xx *
+        C_multiplier_fy;
     WRITE(reactions, 14, -minus_C_reaction_fz);
-    const REAL C_reaction_fx = coupler_rotation_xx * minus_C_multiplier_fx + minus_coupler_rotation_xy * C_multiplier_fy;
+    const REAL C_reaction_fx = coupler_rotation_xx * minus_C_multiplier_fx + minus_coupler_rotation_xy *
+        C_multiplier_fy;
     WRITE(reactions, 12, C_reaction_fx);
     const REAL t62 = (coupler_position_z - 0.5 * minus_coupler_rotation_xy) * C_reaction_fx, /* C */
       t109 = per_length * minus_coupler_rotation_xy; /* coupler */
@@ -132,9 +134,12 @@ BODY(four_bar_joint_reactions)(size_t stride, const double *restrict q, const do
     WRITE(reactions, 23, CONSTANT(0.0));
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
         SMALL(minus_C_closure_fx_by_D, 5.057800000000001e-10) OR /* where D does not move the loop at C */
-        SMALL(pivot_0, 1.3789999999999998e-08) OR /* where step 0 of symmetric equations loses rank: of drives, inertia or internal loads */
-        SMALL(pivot_1, 4.3948000000000004e-08) OR /* where step 1 of symmetric equations loses rank: of drives, inertia or internal loads */
-        SMALL(pivot_2, 4.3948000000000004e-08), /* where step 2 of symmetric equations loses rank: of drives, inertia or internal loads */
+        SMALL(pivot_0, 1.3789999999999998e-08) OR
+            /* where step 0 of symmetric equations loses rank: of drives, inertia or internal loads */
+        SMALL(pivot_1, 4.3948000000000004e-08) OR
+            /* where step 1 of symmetric equations loses rank: of drives, inertia or internal loads */
+        SMALL(pivot_2, 4.3948000000000004e-08),
+            /* where step 2 of symmetric equations loses rank: of drives, inertia or internal loads */
         (checked0 + checked1) + (checked2 + checked3));
 }
 

@@ -47,7 +47,8 @@ FOUR_BAR_UNUSED static inline void four_bar_zero(double *array, size_t size)
 typedef double four_bar_lanes __attribute__((vector_size(32)));
 four_bar_lanes _ZGVdN4v_sin(four_bar_lanes);
 four_bar_lanes _ZGVdN4v_cos(four_bar_lanes);
-FOUR_BAR_UNUSED static inline FOUR_BAR_INLINE void four_bar_sincos(int sines, int cosines, const double *angle, double *sine, double *cosine)
+FOUR_BAR_UNUSED static inline FOUR_BAR_INLINE void four_bar_sincos(int sines, int cosines, const double *angle,
+    double *sine, double *cosine)
 {
     if (sines < 2 && cosines < 2) {
         if (sines > 0) {
@@ -73,7 +74,8 @@ FOUR_BAR_UNUSED static inline FOUR_BAR_INLINE void four_bar_sincos(int sines, in
     }
 }
 #else
-FOUR_BAR_UNUSED static inline FOUR_BAR_INLINE void four_bar_sincos(int sines, int cosines, const double *angle, double *sine, double *cosine)
+FOUR_BAR_UNUSED static inline FOUR_BAR_INLINE void four_bar_sincos(int sines, int cosines, const double *angle,
+    double *sine, double *cosine)
 {
     const int count = sines > cosines ? sines : cosines;
     for (int k = 0; k < count; ++k) {
@@ -91,25 +93,25 @@ int four_bar_constrained(int n, int m, const double *mass, const double *force, 
                              const double *bias, double *v, double *work, double *a, double *multipliers);
 void four_bar_internal_load(int n, int m, const double *jacobian, int found, double *loads);
 
-/* Names of values: part, quantity, component: limb1_lower_omega_x. Components of screws: fx ... mz of
-   wrenches, wx ... vz of twists, px ... Lz of momenta. Quantities: omega, alpha; U = [alpha]x + [omega]x^2;
-   vel, acc of a link's origin; rate, of the momentum screw; force_x ... moment_z, what a link and all that
-   hangs on it need; sent, what it transmits; still: at joint accelerations zero; by: what a coefficient
-   belongs to; minus_: the opposite; t1, t2 ...: the theory has no name for it. Vectors of equal limbs:
-   limb_lower_omega_x; signed_: each lane up to its sign; each_limb1_: what corresponds to that of limb1 in
-   every limb; lanes_1 ...: no name. */
+/* Names of values: part, quantity, component: limb1_lower_omega_x. Components of screws: fx ... mz of wrenches, wx
+   ... vz of twists, px ... Lz of momenta. Quantities: omega, alpha; U = [alpha]x + [omega]x^2; vel, acc of a link's
+   origin; rate, of the momentum screw; force_x ... moment_z, what a link and all that hangs on it need; sent, what
+   it transmits; still: at joint accelerations zero; by: what a coefficient belongs to; minus_: the opposite; t1, t2
+   ...: the theory has no name for it. Vectors of equal limbs: limb_lower_omega_x; signed_: each lane up to its
+   sign; each_limb1_: what corresponds to that of limb1 in every limb; lanes_1 ...: no name. */
 /* Constants: numbers of the description, and what was folded of them. */
 FOUR_BAR_UNUSED static const double
     B_at_z = 0.15, /* [m] point, absolute axes, of B, also offset_x of coupler: 3/20 */
     D_at_x = 0.64, /* [m] point, absolute axes, of D, also offset_x of rocker: 16/25 */
     coupler_Iyy = 0.025, /* [kg m^2] inertia, absolute axes, of coupler: 1/40 */
     coupler_com_x = 0.2, /* [m] centre of mass, absolute axes, of coupler, also at_x of coupler_middle: 1/5 */
-    coupler_phase = 0.9272952180016122, /* [rad] what is added to the coordinate of coupler: atan2(C_at_x / crank_m, k7 / crank_m) */
+    coupler_phase = 0.9272952180016122, /* [rad] what is added to the coordinate of coupler: atan2(C_at_x /
+        crank_m, k7 / crank_m) */
     coupler_sxx = 0.1, /* [kg m^2] second moment (sum of m r r), link axes, of coupler */
     crank_Ixx = 0.0009375, /* [kg m^2] inertia, absolute axes, of crank, also Iyy of crank: 3/3200 */
     crank_com_z = 0.075, /* [m] centre of mass, absolute axes, of crank: 3/40 */
     crank_m_gravity_z = 4.905, /* [m/s^2] 0.5 * gravity_z; also [N] crank_m * gravity_z */
-    crank_mx = 0.0375, /* [kg m] first moment, link axes, of crank: crank_m * crank_com_z; also [m] 0.5 * crank_com_z */
+    crank_mx = 0.0375, /* [kg m] first moment, link axes, of crank: crank_m * crank_com_z */
     gravity_z = 9.81, /* [m/s^2] acceleration of the effect of gravity: 981/100 */
     gravity_z_crank_mx = 0.367875, /* [N m] gravity_z * crank_mx */
     gravity_z_rocker_mx = 3.00186, /* [N m] gravity_z * rocker_mx */
@@ -122,19 +124,20 @@ FOUR_BAR_UNUSED static const double
     rocker_com_z = 0.225, /* [m] centre of mass, absolute axes, of rocker: 9/40 */
     rocker_m = 1.2, /* [kg] mass of rocker, coupler: 6/5 */
     rocker_m_gravity_z = 11.772, /* [N] rocker_m * gravity_z */
-    rocker_mx = 0.306, /* [kg m] first moment, link axes, of rocker: rocker_m * (0.47058823529411764 * 0.12 + 0.8823529411764706 *
-        rocker_com_z) */
-    rocker_phase = 0.4899573262537283, /* [rad] what is added to the coordinate of rocker: -atan2((C_at_x - D_at_x) / 0.51, C_at_z / 0.51) */
-    rocker_sxx = 0.10404, /* [kg m^2] second moment (sum of m r r), link axes, of rocker: rocker_Iyy + rocker_mx * (0.05647058823529412 +
-        0.19852941176470587) */
+    rocker_mx = 0.306, /* [kg m] first moment, link axes, of rocker: rocker_m * (0.47058823529411764 * 0.12 +
+        0.8823529411764706 * rocker_com_z) */
+    rocker_phase = 0.4899573262537283, /* [rad] what is added to the coordinate of rocker: -atan2((C_at_x -
+        D_at_x) / 0.51, C_at_z / 0.51) */
+    rocker_sxx = 0.10404, /* [kg m^2] second moment (sum of m r r), link axes, of rocker: rocker_Iyy + rocker_mx
+        * (0.05647058823529412 + 0.19852941176470587) */
     k1 = 0.8, /* [m/kg] C_at_x / crank_m; also [m] 2 * C_at_x */
     k2 = 0.6, /* k7 / crank_m */
     k3 = 0.47058823529411764, /* [1] (D_at_x - C_at_x) / sqrt(0.2601) */
     k4 = 0.8823529411764706, /* [1] C_at_z / sqrt(0.2601) */
     k5 = 0.25, /* [m^2] C_at_x * C_at_x + k7 * k7 */
     k6 = 0.51, /* [m] sqrt(0.24 * 0.24 + C_at_z * C_at_z) */
-    k7 = 0.3, /* [m] centre of mass, absolute axes, of coupler, also at_z of coupler_middle: 3/10; also [kg m] first moment,
-        link axes, of coupler */
+    k7 = 0.3, /* [m] centre of mass, absolute axes, of coupler, also at_z of coupler_middle: 3/10; also [kg m]
+        first moment, link axes, of coupler */
     k8 = 0.03075, /* [kg m^2] crank_sxx + 0.6 * k7 * B_at_z */
     k9 = 0.18, /* k7 / crank_m * k7 */
     k10 = 0.09, /* k7 * k7 */
@@ -147,13 +150,16 @@ FOUR_BAR_UNUSED static const double
     k17 = 6.666666666666667, /* [1/m] 1 / B_at_z */
     k18 = 8.0, /* k7 / crank_m * 44.44444444444444 * crank_com_z / 0.25 */
     k19 = 5.333333333333333, /* [1/kg] C_at_x / crank_m / B_at_z; also [1] 2 * C_at_x / B_at_z */
-    k20 = 10.666666666666666, /* [1/(kg m^2)] C_at_x / crank_m * 44.44444444444444 * crank_com_z / 0.25; also [1/m^2] 2 * C_at_x *
-        44.44444444444444 * crank_com_z / 0.25; also [1/kg] C_at_x / crank_m * 4 * 44.44444444444444 *
-        crank_com_z; also [1] 2 * C_at_x * 4 * 44.44444444444444 * crank_com_z */
-    k21 = 13.333333333333334, /* [1/m^3] crank_com_z / 0.0225 / (0.16 + 0.09); also [1/m] 4 * crank_com_z / 0.0225 */
+    k20 = 10.666666666666666, /* [1/(kg m^2)] C_at_x / crank_m * 44.44444444444444 * crank_com_z / 0.25; also
+        [1/m^2] 2 * C_at_x * 44.44444444444444 * crank_com_z / 0.25; also [1/kg] C_at_x / crank_m * 4 *
+        44.44444444444444 * crank_com_z; also [1] 2 * C_at_x * 4 * 44.44444444444444 * crank_com_z */
+    k21 = 13.333333333333334, /* [1/m^3] crank_com_z / 0.0225 / (0.16 + 0.09); also [1/m] 4 * crank_com_z /
+        0.0225 */
     k22 = 0.2275, /* of the mechanism */
-    k23 = 0.8240286515629687, /* [1/m] per_length * 0.5 * per_length * B_at_z; also [kg/m] per_length * crank_m * per_length * B_at_z */
-    k24 = 5.4935243437531245; /* [1/m^2] per_length * 0.5 * per_length; also [kg/m^2] per_length * crank_m * per_length */
+    k23 = 0.8240286515629687, /* [1/m] per_length * 0.5 * per_length * B_at_z; also [kg/m] per_length * crank_m *
+        per_length * B_at_z */
+    k24 = 5.4935243437531245; /* [1/m^2] per_length * 0.5 * per_length; also [kg/m^2] per_length * crank_m *
+        per_length */
 /* They are made of these, too, which no statement reads:
    C_at_x = 0.4 [m] point, absolute axes, of C: 2/5
    C_at_z = 0.45 [m] point, absolute axes, of C: 9/20

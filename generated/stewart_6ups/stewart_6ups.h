@@ -6,9 +6,8 @@
  * Note: independent coordinates y: platform_pose.0, platform_pose.1, platform_pose.2,
  *   platform_pose.qx, platform_pose.qy, platform_pose.qz
  *
- * Arrays are column-major, owned by the caller, and must not overlap; arrays of size 0 may be NULL. Nothing is
- * allocated and no state is kept: functions may run in several threads at once. On failure all outputs are NaN. Do not
- * compile with -ffinite-math-only or -ffast-math: the checks for NaN would vanish.
+ * On failure all outputs are NaN. Do not compile with -ffinite-math-only or -ffast-math: the checks for NaN would
+ * vanish.
  *
  * A batch writes the status of each of `count` states to `status` unless that is NULL, and returns the largest, 0 if
  * all are below. <function>_batch takes the arrays of the states one after the other; <function>_batch_soa has entry k
@@ -40,18 +39,21 @@
  * drives: u > 0 lengthens a driven slider and turns a driven revolute joint positively. The force of a slider acts
  *   along its axis, on the line through the joint's point, on the child; its reaction on the parent.
  * reactions: Wrenches (f ; m_O) from parent on child, without the drive's share, which is u.
+ * memory: Arrays are the caller's and must not overlap; in C those of size 0 may be NULL. Nothing is allocated.
+ * threads: No state is kept: functions may run in several threads at once.
  */
 
 /* What functions return; the text of a status says it in words. */
-#define STEWART_6UPS_RANK_LOST -2 /* success where the loops lose rank: by the rank-revealing path, with the freedoms that open there */
+#define STEWART_6UPS_RANK_LOST -2 \
+    /* success where the loops lose rank: by the rank-revealing path, with the freedoms that open there */
 #define STEWART_6UPS_RANK_REVEALING -1 /* success near a small pivot: by the rank-revealing path, at full rank */
 #define STEWART_6UPS_SUCCESS 0 /* success */
-#define STEWART_6UPS_NEAR_SINGULAR 1 /* near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN */
-#define STEWART_6UPS_NOT_FINITE 2 /* not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN */
-#define STEWART_6UPS_NOT_CONVERGED 3 /* not converged: the loops could not be closed from this guess; all outputs are NaN */
-#define STEWART_6UPS_OTHER_BRANCH 4 /* other branch: the loops close only on another assembly branch than the guess; all outputs are NaN */
-#define STEWART_6UPS_NO_ROTATION 5 /* no rotation: the length of a quaternion differs from 1 by more than rounding; all outputs are NaN */
-#define STEWART_6UPS_NOT_ON_MECHANISM 6 /* not on the mechanism: its loops do not close where, or as, the inputs say; all outputs are NaN */
+#define STEWART_6UPS_NEAR_SINGULAR 1 /* near-singular: a pivot of the elimination fell below its threshold */
+#define STEWART_6UPS_NOT_FINITE 2 /* not finite: an input was NaN or infinite, or an output overflowed */
+#define STEWART_6UPS_NOT_CONVERGED 3 /* not converged: the loops could not be closed from this guess */
+#define STEWART_6UPS_OTHER_BRANCH 4 /* other branch: the loops close only on another assembly branch than the guess */
+#define STEWART_6UPS_NO_ROTATION 5 /* no rotation: the length of a quaternion differs from 1 by more than rounding */
+#define STEWART_6UPS_NOT_ON_MECHANISM 6 /* not on the mechanism: its loops do not close where, or as, the inputs say */
 
 /* Entries of arrays that several functions have. */
 /* q[25] [12 in rad, 9 in m, 4 of unit 1]: configuration of the tree */

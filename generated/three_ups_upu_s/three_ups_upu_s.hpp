@@ -85,7 +85,8 @@ private:
     double *data_;
 };
 
-/* Displacement of every body from the reference configuration: x = R x_reference + t, absolute axes. See three_ups_upu_s.h for shapes, units and labels. */
+/* Displacement of every body from the reference configuration: x = R x_reference + t, absolute axes. See
+   three_ups_upu_s.h for shapes, units and labels. */
 struct body_poses_result {
     std::array<double, 108> poses{};
     Status status{};
@@ -125,7 +126,8 @@ inline body_twists_result body_twists(In<16> q, In<15> v) noexcept
     return result;
 }
 
-/* Componentwise time derivatives of the twists at O, by the screw bracket. See three_ups_upu_s.h for shapes, units and labels. */
+/* Componentwise time derivatives of the twists at O, by the screw bracket. See three_ups_upu_s.h for shapes, units
+   and labels. */
 struct body_twist_rates_result {
     std::array<double, 54> twist_rates{};
     Status status{};
@@ -165,7 +167,8 @@ inline forward_kinematics_result forward_kinematics(In<16> q) noexcept
     return result;
 }
 
-/* Positions, velocities and accelerations of the named points in absolute axes. See three_ups_upu_s.h for shapes, units and labels. */
+/* Positions, velocities and accelerations of the named points in absolute axes. See three_ups_upu_s.h for shapes,
+   units and labels. */
 struct point_motion_result {
     std::array<double, 30> positions{};
     std::array<double, 30> velocities{};
@@ -175,9 +178,11 @@ struct point_motion_result {
     bool ok() const noexcept { return static_cast<int>(status) <= 0; }
 };
 
-inline Status point_motion(In<16> q, In<15> v, In<15> a, Out<30> positions, Out<30> velocities, Out<30> accelerations) noexcept
+inline Status point_motion(In<16> q, In<15> v, In<15> a, Out<30> positions, Out<30> velocities, Out<30>
+    accelerations) noexcept
 {
-    return static_cast<Status>(::three_ups_upu_s_point_motion(q.data(), v.data(), a.data(), positions.data(), velocities.data(), accelerations.data()));
+    return static_cast<Status>(::three_ups_upu_s_point_motion(q.data(), v.data(), a.data(), positions.data(),
+        velocities.data(), accelerations.data()));
 }
 
 inline point_motion_result point_motion(In<16> q, In<15> v, In<15> a) noexcept
@@ -187,7 +192,8 @@ inline point_motion_result point_motion(In<16> q, In<15> v, In<15> a) noexcept
     return result;
 }
 
-/* Unit screws of all joints at O in absolute axes, eq. (5); spherical: along the parent's axes. See three_ups_upu_s.h for shapes, units and labels. */
+/* Unit screws of all joints at O in absolute axes, eq. (5); spherical: along the parent's axes. See
+   three_ups_upu_s.h for shapes, units and labels. */
 struct joint_screws_result {
     std::array<double, 156> screws{};
     Status status{};
@@ -207,7 +213,8 @@ inline joint_screws_result joint_screws(In<16> q) noexcept
     return result;
 }
 
-/* Positions of the joints' points, carried by the child body: where the joint reactions act. See three_ups_upu_s.h for shapes, units and labels. */
+/* Positions of the joints' points, carried by the child body: where the joint reactions act. See three_ups_upu_s.h
+   for shapes, units and labels. */
 struct joint_points_result {
     std::array<double, 39> points{};
     Status status{};
@@ -247,7 +254,8 @@ inline platform_jacobian_result platform_jacobian(In<16> q) noexcept
     return result;
 }
 
-/* Displacements of all joints, cut ones included; spherical joints as rotation vector in the parent's axes. See three_ups_upu_s.h for shapes, units and labels. */
+/* Displacements of all joints, cut ones included; spherical joints as rotation vector in the parent's axes. See
+   three_ups_upu_s.h for shapes, units and labels. */
 struct joint_displacements_result {
     std::array<double, 26> displacements{};
     Status status{};
@@ -267,7 +275,8 @@ inline joint_displacements_result joint_displacements(In<16> q) noexcept
     return result;
 }
 
-/* Rates of all joints, cut ones included; spherical joints along the parent's axes. See three_ups_upu_s.h for shapes, units and labels. */
+/* Rates of all joints, cut ones included; spherical joints along the parent's axes. See three_ups_upu_s.h for
+   shapes, units and labels. */
 struct joint_rates_result {
     std::array<double, 26> rates{};
     Status status{};
@@ -327,7 +336,8 @@ inline closure_result closure(In<16> q) noexcept
     return result;
 }
 
-/* Closure Jacobian: row k is the reciprocal wrench k of the cut joints, J v = 0. See three_ups_upu_s.h for shapes, units and labels. */
+/* Closure Jacobian: row k is the reciprocal wrench k of the cut joints, J v = 0. See three_ups_upu_s.h for shapes,
+   units and labels. */
 struct closure_jacobian_result {
     std::array<double, 195> jacobian{};
     Status status{};
@@ -367,7 +377,8 @@ inline closure_bias_result closure_bias(In<16> q, In<15> v) noexcept
     return result;
 }
 
-/* Rates of the tree from the rates of the independent coordinates. See three_ups_upu_s.h for shapes, units and labels. */
+/* Rates of the tree from the rates of the independent coordinates. See three_ups_upu_s.h for shapes, units and
+   labels. */
 struct velocity_result {
     std::array<double, 15> v{};
     Status status{};
@@ -407,7 +418,8 @@ inline null_space_result null_space(In<16> q) noexcept
     return result;
 }
 
-/* Accelerations of the tree from the second rates of the independent coordinates. See three_ups_upu_s.h for shapes, units and labels. */
+/* Accelerations of the tree from the second rates of the independent coordinates. See three_ups_upu_s.h for shapes,
+   units and labels. */
 struct acceleration_result {
     std::array<double, 15> a{};
     Status status{};
@@ -448,7 +460,8 @@ inline momentum_screws_result momentum_screws(In<16> q, In<15> v) noexcept
     return result;
 }
 
-/* Rates of the momentum screws: sums of all force screws, eq. (35). See three_ups_upu_s.h for shapes, units and labels. */
+/* Rates of the momentum screws: sums of all force screws, eq. (35). See three_ups_upu_s.h for shapes, units and
+   labels. */
 struct momentum_rates_result {
     std::array<double, 54> momentum_rates{};
     Status status{};
@@ -468,7 +481,8 @@ inline momentum_rates_result momentum_rates(In<16> q, In<15> v, In<15> a) noexce
     return result;
 }
 
-/* Kinetic energy and potential energy of the effects (gravity: zero at O). See three_ups_upu_s.h for shapes, units and labels. */
+/* Kinetic energy and potential energy of the effects (gravity: zero at O). See three_ups_upu_s.h for shapes, units
+   and labels. */
 struct energy_result {
     std::array<double, 2> energy{};
     Status status{};
@@ -508,7 +522,8 @@ inline mass_matrix_result mass_matrix(In<16> q) noexcept
     return result;
 }
 
-/* Generalised forces of the tree at zero acceleration: M a + bias = forces on the freedoms + J^T multipliers. See three_ups_upu_s.h for shapes, units and labels. */
+/* Generalised forces of the tree at zero acceleration: M a + bias = forces on the freedoms + J^T multipliers. See
+   three_ups_upu_s.h for shapes, units and labels. */
 struct bias_result {
     std::array<double, 15> bias{};
     Status status{};
@@ -528,7 +543,8 @@ inline bias_result bias(In<16> q, In<15> v) noexcept
     return result;
 }
 
-/* Drives from a consistent state of the tree, by the rates of the momentum screws. See three_ups_upu_s.h for shapes, units and labels. */
+/* Drives from a consistent state of the tree, by the rates of the momentum screws. See three_ups_upu_s.h for
+   shapes, units and labels. */
 struct inverse_dynamics_result {
     std::array<double, 4> u{};
     Status status{};
@@ -548,7 +564,8 @@ inline inverse_dynamics_result inverse_dynamics(In<16> q, In<15> v, In<15> a) no
     return result;
 }
 
-/* Drives from the configuration and the rates and second rates of the independent coordinates. See three_ups_upu_s.h for shapes, units and labels. */
+/* Drives from the configuration and the rates and second rates of the independent coordinates. See
+   three_ups_upu_s.h for shapes, units and labels. */
 struct inverse_dynamics_independent_result {
     std::array<double, 4> u{};
     Status status{};
@@ -558,7 +575,8 @@ struct inverse_dynamics_independent_result {
 
 inline Status inverse_dynamics_independent(In<16> q, In<2> y_dot, In<2> y_ddot, Out<4> u) noexcept
 {
-    return static_cast<Status>(::three_ups_upu_s_inverse_dynamics_independent(q.data(), y_dot.data(), y_ddot.data(), u.data()));
+    return static_cast<Status>(::three_ups_upu_s_inverse_dynamics_independent(q.data(), y_dot.data(), y_ddot.data(),
+        u.data()));
 }
 
 inline inverse_dynamics_independent_result inverse_dynamics_independent(In<16> q, In<2> y_dot, In<2> y_ddot) noexcept
@@ -568,7 +586,8 @@ inline inverse_dynamics_independent_result inverse_dynamics_independent(In<16> q
     return result;
 }
 
-/* Drives that minimise sum w_j (u_j - preload_j)^2: any internal preload by its drives. See three_ups_upu_s.h for shapes, units and labels. */
+/* Drives that minimise sum w_j (u_j - preload_j)^2: any internal preload by its drives. See three_ups_upu_s.h for
+   shapes, units and labels. */
 struct inverse_dynamics_preload_result {
     std::array<double, 4> u{};
     Status status{};
@@ -578,10 +597,12 @@ struct inverse_dynamics_preload_result {
 
 inline Status inverse_dynamics_preload(In<16> q, In<15> v, In<15> a, In<4> weights, In<4> preload, Out<4> u) noexcept
 {
-    return static_cast<Status>(::three_ups_upu_s_inverse_dynamics_preload(q.data(), v.data(), a.data(), weights.data(), preload.data(), u.data()));
+    return static_cast<Status>(::three_ups_upu_s_inverse_dynamics_preload(q.data(), v.data(), a.data(),
+        weights.data(), preload.data(), u.data()));
 }
 
-inline inverse_dynamics_preload_result inverse_dynamics_preload(In<16> q, In<15> v, In<15> a, In<4> weights, In<4> preload) noexcept
+inline inverse_dynamics_preload_result inverse_dynamics_preload(In<16> q, In<15> v, In<15> a, In<4> weights, In<4>
+    preload) noexcept
 {
     inverse_dynamics_preload_result result;
     result.status = inverse_dynamics_preload(q, v, a, weights, preload, result.u);
@@ -599,7 +620,8 @@ struct joint_reactions_result {
 
 inline Status joint_reactions(In<16> q, In<15> v, In<15> a, Out<4> u, Out<78> reactions) noexcept
 {
-    return static_cast<Status>(::three_ups_upu_s_joint_reactions(q.data(), v.data(), a.data(), u.data(), reactions.data()));
+    return static_cast<Status>(::three_ups_upu_s_joint_reactions(q.data(), v.data(), a.data(), u.data(),
+        reactions.data()));
 }
 
 inline joint_reactions_result joint_reactions(In<16> q, In<15> v, In<15> a) noexcept
@@ -609,7 +631,8 @@ inline joint_reactions_result joint_reactions(In<16> q, In<15> v, In<15> a) noex
     return result;
 }
 
-/* Accelerations of the tree from a consistent state and the drives. See three_ups_upu_s.h for shapes, units and labels. */
+/* Accelerations of the tree from a consistent state and the drives. See three_ups_upu_s.h for shapes, units and
+   labels. */
 struct forward_dynamics_result {
     std::array<double, 15> a{};
     Status status{};
@@ -629,7 +652,8 @@ inline forward_dynamics_result forward_dynamics(In<16> q, In<15> v, In<4> u) noe
     return result;
 }
 
-/* Second rates of the independent coordinates from the configuration, their rates and the drives. See three_ups_upu_s.h for shapes, units and labels. */
+/* Second rates of the independent coordinates from the configuration, their rates and the drives. See
+   three_ups_upu_s.h for shapes, units and labels. */
 struct forward_dynamics_independent_result {
     std::array<double, 2> y_ddot{};
     Status status{};
@@ -639,7 +663,8 @@ struct forward_dynamics_independent_result {
 
 inline Status forward_dynamics_independent(In<16> q, In<2> y_dot, In<4> u, Out<2> y_ddot) noexcept
 {
-    return static_cast<Status>(::three_ups_upu_s_forward_dynamics_independent(q.data(), y_dot.data(), u.data(), y_ddot.data()));
+    return static_cast<Status>(::three_ups_upu_s_forward_dynamics_independent(q.data(), y_dot.data(), u.data(),
+        y_ddot.data()));
 }
 
 inline forward_dynamics_independent_result forward_dynamics_independent(In<16> q, In<2> y_dot, In<4> u) noexcept
@@ -649,7 +674,8 @@ inline forward_dynamics_independent_result forward_dynamics_independent(In<16> q
     return result;
 }
 
-/* Accelerations of the tree and all joint reactions, at O in absolute axes, from a consistent state and drives. See three_ups_upu_s.h for shapes, units and labels. */
+/* Accelerations of the tree and all joint reactions, at O in absolute axes, from a consistent state and drives. See
+   three_ups_upu_s.h for shapes, units and labels. */
 struct forward_dynamics_reactions_result {
     std::array<double, 15> a{};
     std::array<double, 78> reactions{};
@@ -660,7 +686,8 @@ struct forward_dynamics_reactions_result {
 
 inline Status forward_dynamics_reactions(In<16> q, In<15> v, In<4> u, Out<15> a, Out<78> reactions) noexcept
 {
-    return static_cast<Status>(::three_ups_upu_s_forward_dynamics_reactions(q.data(), v.data(), u.data(), a.data(), reactions.data()));
+    return static_cast<Status>(::three_ups_upu_s_forward_dynamics_reactions(q.data(), v.data(), u.data(), a.data(),
+        reactions.data()));
 }
 
 inline forward_dynamics_reactions_result forward_dynamics_reactions(In<16> q, In<15> v, In<4> u) noexcept
@@ -670,7 +697,8 @@ inline forward_dynamics_reactions_result forward_dynamics_reactions(In<16> q, In
     return result;
 }
 
-/* The shortest Newton step onto the closure: q_next closes the loops to second order in their opening at q. See three_ups_upu_s.h for shapes, units and labels. */
+/* The shortest Newton step onto the closure: q_next closes the loops to second order in their opening at q. See
+   three_ups_upu_s.h for shapes, units and labels. */
 struct close_position_result {
     std::array<double, 16> q_next{};
     std::array<double, 1> residual_{};
@@ -691,7 +719,8 @@ inline close_position_result close_position(In<16> q) noexcept
     return result;
 }
 
-/* The consistent rates nearest to v (lengths divided by the characteristic length). See three_ups_upu_s.h for shapes, units and labels. */
+/* The consistent rates nearest to v (lengths divided by the characteristic length). See three_ups_upu_s.h for
+   shapes, units and labels. */
 struct close_velocity_result {
     std::array<double, 15> v_next{};
     Status status{};
@@ -711,7 +740,8 @@ inline close_velocity_result close_velocity(In<16> q, In<15> v) noexcept
     return result;
 }
 
-/* Configuration of the tree from the platform's own coordinates, limbs in closed form. See three_ups_upu_s.h for shapes, units and labels. */
+/* Configuration of the tree from the platform's own coordinates, limbs in closed form. See three_ups_upu_s.h for
+   shapes, units and labels. */
 struct inverse_kinematics_result {
     std::array<double, 16> q{};
     Status status{};
@@ -731,7 +761,8 @@ inline inverse_kinematics_result inverse_kinematics(In<4> pose) noexcept
     return result;
 }
 
-/* Coordinates of the drives from the platform's own, limbs in closed form. See three_ups_upu_s.h for shapes, units and labels. */
+/* Coordinates of the drives from the platform's own, limbs in closed form. See three_ups_upu_s.h for shapes, units
+   and labels. */
 struct drive_positions_result {
     std::array<double, 4> positions{};
     Status status{};
@@ -751,7 +782,8 @@ inline drive_positions_result drive_positions(In<4> pose) noexcept
     return result;
 }
 
-/* Rates of the tree from the platform's own, limbs in closed form. See three_ups_upu_s.h for shapes, units and labels. */
+/* Rates of the tree from the platform's own, limbs in closed form. See three_ups_upu_s.h for shapes, units and
+   labels. */
 struct inverse_velocity_result {
     std::array<double, 15> v{};
     Status status{};
@@ -771,7 +803,8 @@ inline inverse_velocity_result inverse_velocity(In<4> pose, In<3> rate) noexcept
     return result;
 }
 
-/* Drives from the platform's own coordinates, rates and accelerations, limbs in closed form. See three_ups_upu_s.h for shapes, units and labels. */
+/* Drives from the platform's own coordinates, rates and accelerations, limbs in closed form. See three_ups_upu_s.h
+   for shapes, units and labels. */
 struct inverse_dynamics_platform_result {
     std::array<double, 4> u{};
     Status status{};
@@ -781,7 +814,8 @@ struct inverse_dynamics_platform_result {
 
 inline Status inverse_dynamics_platform(In<4> pose, In<3> rate, In<3> acceleration, Out<4> u) noexcept
 {
-    return static_cast<Status>(::three_ups_upu_s_inverse_dynamics_platform(pose.data(), rate.data(), acceleration.data(), u.data()));
+    return static_cast<Status>(::three_ups_upu_s_inverse_dynamics_platform(pose.data(), rate.data(),
+        acceleration.data(), u.data()));
 }
 
 inline inverse_dynamics_platform_result inverse_dynamics_platform(In<4> pose, In<3> rate, In<3> acceleration) noexcept
@@ -791,7 +825,8 @@ inline inverse_dynamics_platform_result inverse_dynamics_platform(In<4> pose, In
     return result;
 }
 
-/* Configuration of the tree that closes all loops at the given independent coordinates, on the branch of the guess. See three_ups_upu_s.h for shapes, units and labels. */
+/* Configuration of the tree that closes all loops at the given independent coordinates, on the branch of the guess.
+   See three_ups_upu_s.h for shapes, units and labels. */
 struct assemble_result {
     std::array<double, 16> q{};
     Status status{};
@@ -811,7 +846,8 @@ inline assemble_result assemble(In<2> y, In<16> guess) noexcept
     return result;
 }
 
-/* Limb (serial) singularities: 0 where the joint screws of a limb become dependent. See three_ups_upu_s.h for shapes, units and labels. */
+/* Limb (serial) singularities: 0 where the joint screws of a limb become dependent. See three_ups_upu_s.h for
+   shapes, units and labels. */
 struct limb_margins_result {
     std::array<double, 5> margins{};
     Status status{};
@@ -831,7 +867,8 @@ inline limb_margins_result limb_margins(In<16> q) noexcept
     return result;
 }
 
-/* Constraint singularity: 0 where the constraints lose rank and a freedom appears. See three_ups_upu_s.h for shapes, units and labels. */
+/* Constraint singularity: 0 where the constraints lose rank and a freedom appears. See three_ups_upu_s.h for
+   shapes, units and labels. */
 struct constraint_margin_result {
     std::array<double, 1> margins{};
     Status status{};
@@ -851,7 +888,8 @@ inline constraint_margin_result constraint_margin(In<16> q) noexcept
     return result;
 }
 
-/* Actuation singularities: 0 where a freedom is left with these drives locked. See three_ups_upu_s.h for shapes, units and labels. */
+/* Actuation singularities: 0 where a freedom is left with these drives locked. See three_ups_upu_s.h for shapes,
+   units and labels. */
 struct actuation_margins_result {
     std::array<double, 6> margins{};
     Status status{};

@@ -7,7 +7,8 @@
 #include <string.h>
 
 /* Batch functions take 8 states at once; THREE_UPS_UPU_S_STATE_BY_STATE or THREE_UPS_UPU_S_SCALAR: one by one. */
-#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(THREE_UPS_UPU_S_SCALAR) && \
+    !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
 #if defined(__AVX512F__)
 #define THREE_UPS_UPU_S_WIDE 8
 #elif defined(__AVX__)
@@ -30,7 +31,8 @@ static inline three_ups_upu_s_wide three_ups_upu_s_wide_sqrt(three_ups_upu_s_wid
 }
 typedef three_ups_upu_s_wide three_ups_upu_s_wide_each4[4];
 #endif
-#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(THREE_UPS_UPU_S_SCALAR) && \
+    !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
 #define THREE_UPS_UPU_S_ROOM 1928
 #define THREE_UPS_UPU_S_BLOCK(block) block
 #else
@@ -262,11 +264,13 @@ static void function##_block(size_t stride, const double *const *in, double *con
     } \
 }
 
-#if defined(__GNUC__) && defined(__GLIBC__) && defined(__x86_64__) && defined(__AVX512F__) && !defined(THREE_UPS_UPU_S_SCALAR)
+#if defined(__GNUC__) && defined(__GLIBC__) && defined(__x86_64__) && defined(__AVX512F__) && \
+    !defined(THREE_UPS_UPU_S_SCALAR)
 typedef double three_ups_upu_s_lanes8 __attribute__((vector_size(64)));
 three_ups_upu_s_lanes8 _ZGVeN8v_sin(three_ups_upu_s_lanes8);
 three_ups_upu_s_lanes8 _ZGVeN8v_cos(three_ups_upu_s_lanes8);
-THREE_UPS_UPU_S_UNUSED static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_sincos_block(size_t sines, size_t cosines, const double *angle, double *sine, double *cosine)
+THREE_UPS_UPU_S_UNUSED static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_sincos_block(size_t sines, size_t
+    cosines, const double *angle, double *sine, double *cosine)
 {
     for (size_t k = 0; k < sines || k < cosines; k += 8) {
         three_ups_upu_s_lanes8 all, found;
@@ -282,7 +286,8 @@ THREE_UPS_UPU_S_UNUSED static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s
     }
 }
 #else
-THREE_UPS_UPU_S_UNUSED static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_sincos_block(size_t sines, size_t cosines, const double *angle, double *sine, double *cosine)
+THREE_UPS_UPU_S_UNUSED static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_sincos_block(size_t sines, size_t
+    cosines, const double *angle, double *sine, double *cosine)
 {
     for (size_t k = 0; k < sines || k < cosines; k += 4) {
         three_ups_upu_s_sincos(k < sines ? 4 : 0, k < cosines ? 4 : 0, angle + k, sine + k, cosine + k);
@@ -292,7 +297,8 @@ THREE_UPS_UPU_S_UNUSED static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s
 
 /* Of angles, which a function gives for one state, so many sines and cosines of eight: once for all who call it. */
 #define THREE_UPS_UPU_S_SINES(angles, SIZE, given, inputs) \
-__attribute__((noinline)) static void angles##_of_eight(size_t stride, THREE_UPS_UPU_S_ALL given, size_t sines, size_t cosines, \
+__attribute__((noinline)) static void angles##_of_eight(size_t stride, THREE_UPS_UPU_S_ALL given, size_t sines, \
+    size_t cosines, \
     double *restrict sine, double *restrict cosine) \
 { \
     double angle[SIZE]; \
@@ -365,7 +371,8 @@ int function##_batch_soa(size_t count, size_t stride, THREE_UPS_UPU_S_ALL given,
 #undef FINITE_UNLESS4
 #undef FINITE4
 
-#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(THREE_UPS_UPU_S_SCALAR) && \
+    !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
 #define THREE_UPS_UPU_S_VECTORS
 /* ... and here as many states as a vector holds: entry k of an argument lies at k * stride. */
 #define BODY(function) __attribute__((noinline)) static void function##_wide
@@ -377,20 +384,25 @@ int function##_batch_soa(size_t count, size_t stride, THREE_UPS_UPU_S_ALL given,
 #define SQRT(x) three_ups_upu_s_wide_sqrt(x)
 #define ABS(x) three_ups_upu_s_wide_abs((x) - THREE_UPS_UPU_S_ZERO)
 #define LESS(a, b) three_ups_upu_s_wide_less((a) - THREE_UPS_UPU_S_ZERO, (b) - THREE_UPS_UPU_S_ZERO)
-#define SELECT(condition, a, b) three_ups_upu_s_wide_select((condition) - THREE_UPS_UPU_S_ZERO, (a) - THREE_UPS_UPU_S_ZERO, (b) - THREE_UPS_UPU_S_ZERO)
+#define SELECT(condition, a, b) three_ups_upu_s_wide_select((condition) - THREE_UPS_UPU_S_ZERO, (a) - \
+    THREE_UPS_UPU_S_ZERO, (b) - THREE_UPS_UPU_S_ZERO)
 #define FOURS three_ups_upu_s_wide
 #define FOUR(array, k) \
     ((READ(array, k) + READ(array, (k) + 1)) + (READ(array, (k) + 2) + READ(array, (k) + 3)))
 #define SUM_OF_FOUR(x) (x)
-#define SMALL(pivot, limit) ((three_ups_upu_s_wide_mask)((pivot) <= (limit)) & (three_ups_upu_s_wide_mask)((pivot) >= -(limit)))
+#define SMALL(pivot, limit) ((three_ups_upu_s_wide_mask)((pivot) <= (limit)) & (three_ups_upu_s_wide_mask)((pivot) \
+    >= -(limit)))
 #define OR |
 /* All bits set are a NaN. */
 #define FINITE_UNLESS(small, sum) \
-    (void)stride, *(three_ups_upu_s_wide_there *)total = (three_ups_upu_s_wide)((three_ups_upu_s_wide_mask)(sum) | (small))
+    (void)stride, *(three_ups_upu_s_wide_there *)total = (three_ups_upu_s_wide)((three_ups_upu_s_wide_mask)(sum) | \
+        (small))
 #define FINITE(sum) (void)stride, *(three_ups_upu_s_wide_there *)total = (sum)
 #define UNCHECKED() (void)stride, *(three_ups_upu_s_wide_there *)total = THREE_UPS_UPU_S_ZERO
-#define NOT_BELOW(x, low, status) checked0 = (three_ups_upu_s_wide)((three_ups_upu_s_wide_mask)checked0 | ~(three_ups_upu_s_wide_mask)((x) >= (low)))
-#define NOT_ABOVE(x, high, status) checked0 = (three_ups_upu_s_wide)((three_ups_upu_s_wide_mask)checked0 | ~(three_ups_upu_s_wide_mask)((x) <= (high)))
+#define NOT_BELOW(x, low, status) checked0 = (three_ups_upu_s_wide)((three_ups_upu_s_wide_mask)checked0 | \
+    ~(three_ups_upu_s_wide_mask)((x) >= (low)))
+#define NOT_ABOVE(x, high, status) checked0 = (three_ups_upu_s_wide)((three_ups_upu_s_wide_mask)checked0 | \
+    ~(three_ups_upu_s_wide_mask)((x) <= (high)))
 #define RESULT(checked, array, k, x) \
     { const REAL result_ = (x); WRITE(array, k, result_); checked = checked + result_; }
 /* Stages are what equal limbs do, written once: here of the limb with the number `limb`. Values have the

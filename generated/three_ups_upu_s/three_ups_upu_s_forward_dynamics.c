@@ -43,7 +43,8 @@ STAGE(forward_dynamics, 0)(size_t limb, size_t stride, const double *restrict q,
     OWN(t3) = lower_cos * OWN(t1);
     OWN(S_arm_x) = upper_offset_x - param_R * signed_lower_sin;
     OWN(signed_U_follows_1_by_S_0) = OWN(S_arm_x) * OWN(t3);
-    const LIMB4 t12 = OWN(signed_U_follows_1_by_S_0) * (OWN(U_mass_matrix_1_by_U_1) * OWN(signed_U_follows_1_by_S_0));
+    const LIMB4 t12 = OWN(signed_U_follows_1_by_S_0) * (OWN(U_mass_matrix_1_by_U_1) *
+        OWN(signed_U_follows_1_by_S_0));
     OWN(signed_S_arm_y) = param_R * lower_cos;
     const LIMB4 t13 = OWN(signed_S_arm_y) * (k20 * lower_cos) + t12, t15 = U_0_cos * (t7 - t13);
     OWN(t4) = signed_U_0_sin * t15;
@@ -97,7 +98,8 @@ STAGE(forward_dynamics, 1)(size_t limb, size_t stride, const double *restrict v,
     const LIMB4 t16 = OWN(signed_S_arm_y) * t11;
     OWN(t13) = OWN(S_arm_x) * t11 + OWN(t11) + OWN(t5) * OWN(t12);
     OWN(t21) = OWN(t13) * OWN(t3);
-    const LIMB4 t21 = OWN(signed_U_follows_1_by_S_0) * (OWN(t20) - sign1 * (OWN(U_mass_matrix_1_by_U_1) * OWN(t21))),
+    const LIMB4 t21 = OWN(signed_U_follows_1_by_S_0) * (OWN(t20) - sign1 * (OWN(U_mass_matrix_1_by_U_1) *
+        OWN(t21))),
       t24 = sign3 * t21;
     OWN(t19) = t16 + OWN(t5) * OWN(t18);
     const LIMB4 signed_S_handed_force_0 = OWN(signed_S_arm_y) * (each_limb_lower_m * OWN(t19) - OWN(t17)) - t24;
@@ -113,11 +115,13 @@ STAGE(forward_dynamics, 2)(size_t limb, size_t stride, double *restrict a, const
     const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0), sign2 = OF4(1.0, 1.0, -1.0, -1.0);
     const LIMB4 U_0_cos = IN_EACH4(SINES, cosine, 0, 2), signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2);
     /* each limb: accelerations */
-    const LIMB4 t4 = OWN(signed_U_follows_0_by_S_1) * (U_0_cos * minus_limb5_S_joint_acc_wz - signed_U_0_sin * GIVEN(signed_limb5_S_joint_acc_wy)),
+    const LIMB4 t4 = OWN(signed_U_follows_0_by_S_1) * (U_0_cos * minus_limb5_S_joint_acc_wz - signed_U_0_sin *
+        GIVEN(signed_limb5_S_joint_acc_wy)),
       U_joint_acc_0 = sign1 * GIVEN(signed_limb5_S_joint_acc_wx) + (t4 - sign1 * OWN(t15));
     WRITE4(a, 0, 3, 6, 9, U_joint_acc_0);
     LIMB4 checked = OWN(checked) + U_joint_acc_0;
-    const LIMB4 t13 = sign1 * (signed_U_0_sin * minus_limb5_S_joint_acc_wz + U_0_cos * GIVEN(signed_limb5_S_joint_acc_wy)),
+    const LIMB4 t13 = sign1 * (signed_U_0_sin * minus_limb5_S_joint_acc_wz + U_0_cos *
+        GIVEN(signed_limb5_S_joint_acc_wy)),
       signed_U_joint_acc_1 = OWN(t21) + OWN(signed_U_follows_1_by_S_0) * t13;
     WRITE4(a, 1, 4, 7, 10, -sign1 * signed_U_joint_acc_1);
     checked = checked + signed_U_joint_acc_1;
@@ -137,11 +141,13 @@ BODY(three_ups_upu_s_forward_dynamics)(size_t stride, const double *restrict q, 
       t2 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t3 = t1 + t2, t4 = limb5_S_q_qy * limb5_S_q_qy,
       limb5_S_q_qz = READ(q, 15), t5 = limb5_S_q_qz * limb5_S_q_qz, t6 = t4 + t5, t7 = t3 + t6, t9 = 4.0 - 2.0 * t7,
       t14 = t2 + t4, platform_turn_yy = 1.0 - t9 * (t2 + t5), platform_turn_xx = 1.0 - t6 * t9,
-      platform_turn_zz = 1.0 - t9 * t14, t12 = limb5_S_q_qy * t9, t34 = limb5_S_q_qx * t12, t13 = limb5_S_q_qw * t12,
+      platform_turn_zz = 1.0 - t9 * t14, t12 = limb5_S_q_qy * t9, t34 = limb5_S_q_qx * t12, t13 = limb5_S_q_qw *
+          t12,
       t10 = limb5_S_q_qz * t9, t26 = limb5_S_q_qw * (limb5_S_q_qx * t9), t35 = limb5_S_q_qw * t10,
       platform_turn_yx = t34 + t35, platform_turn_xy = t34 - t35, limb5_S_v_wx = READ(v, 12),
       limb5_S_v_wy = READ(v, 13), t42 = limb5_S_v_wy * platform_turn_yy + limb5_S_v_wx * platform_turn_yx,
-      t24 = limb5_S_q_qy * t10, t11 = limb5_S_q_qx * t10, platform_turn_yz = t24 - t26, platform_turn_zy = t24 + t26,
+      t24 = limb5_S_q_qy * t10, t11 = limb5_S_q_qx * t10, platform_turn_yz = t24 - t26, platform_turn_zy = t24 +
+          t26,
       limb5_S_v_wz = READ(v, 14), platform_twist_wy = t42 + limb5_S_v_wz * platform_turn_yz,
       t47 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy, platform_turn_xz = t11 + t13,
       platform_turn_zx = t11 - t13, platform_twist_wx = t47 + limb5_S_v_wz * platform_turn_xz;
@@ -150,7 +156,8 @@ BODY(three_ups_upu_s_forward_dynamics)(size_t stride, const double *restrict q, 
     const REAL t52 = limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy,
       platform_twist_wz = limb5_S_v_wz * platform_turn_zz + t52;
     FIRST_LIMB(0, forward_dynamics, 0, stride, q, v, u, sine, cosine, &limbs);
-    FIRST_LIMB(0, forward_dynamics, 1, stride, v, sine, cosine, platform_twist_wy_2, platform_twist_wz, platform_twist_wx_2, &limbs);
+    FIRST_LIMB(0, forward_dynamics, 1, stride, v, sine, cosine, platform_twist_wy_2, platform_twist_wz,
+        platform_twist_wx_2, &limbs);
     /* limb1: geometry; accelerations; loop closure */
     const REAL limb1_lower_sin = SINES(sine, 1), limb1_lower_cos = SINES(cosine, 1), limb1_U_v_0 = READ(v, 0),
       t58 = limb1_lower_sin * limbs.t8[0] + limb1_lower_cos * platform_twist_wx,
@@ -168,7 +175,8 @@ BODY(three_ups_upu_s_forward_dynamics)(size_t stride, const double *restrict q, 
       t72 = t63 - limb1_U2_constraint_mn_couple_z * t70,
       limb1_U2_opening_mn = t73 + limb1_lower_cos * platform_turn_xy,
       t78 = t68 * (limb1_U2_opening_mn * t68 + limb1_U2_constraint_mn_couple_z * t59),
-      limb1_U2_opening_bias_mn = t72 - (t78 - t54 * (limb1_U2_constraint_mn_couple_x * t59 - limb1_U2_opening_mn * t54)),
+      limb1_U2_opening_bias_mn = t72 - (t78 - t54 * (limb1_U2_constraint_mn_couple_x * t59 - limb1_U2_opening_mn *
+          t54)),
       limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * limbs.t3[0],
       t85 = limb1_U2_opening_bias_mn - limbs.t13[0] * limb1_U_factor_1_by_3, /* limb5_S */
       minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limbs.S_arm_x[0] * limb1_U_factor_1_by_3,
@@ -176,9 +184,11 @@ BODY(three_ups_upu_s_forward_dynamics)(size_t stride, const double *restrict q, 
       limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x;
     /* limb5_S: accelerations; pivots; rates that follow */
     const REAL t86 = minus_limb1_U_factor_0_by_3 * limbs.t10[0] - t85,
-      minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn + limbs.upper_position_x[0] * minus_limb1_U_factor_0_by_3,
+      minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn + limbs.upper_position_x[0] *
+          minus_limb1_U_factor_0_by_3,
       t100 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3, /* limb1 */
-      minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + limb1_U_0_sin * minus_limb1_U2_factor_0_by_3;
+      minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + limb1_U_0_sin *
+          minus_limb1_U2_factor_0_by_3;
     REAL checked0 = minus_limb5_S_pivot_wz;
     const REAL t39 = 1.0 / minus_limb5_S_pivot_wz, minus_limb5_S_joint_acc_still_wz = t39 * t86,
       limb5_S_null_space_wz_by_limb5_S_wy = t39 * (limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t100);
@@ -193,29 +203,38 @@ BODY(three_ups_upu_s_forward_dynamics)(size_t stride, const double *restrict q, 
       limb5_S_handed_inertia_wz_by_limb5_S_wx = limbs.t4[3] + t19 - limbs.t2[0],
       t107 = limb5_S_handed_inertia_wz * minus_limb5_S_joint_acc_still_wz,
       t149 = limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_handed_inertia_wz;
-    NEXT_LIMB(2, forward_dynamics, 1, stride, v, sine, cosine, platform_twist_wy_2, platform_twist_wz, platform_twist_wx_2, &limbs);
+    NEXT_LIMB(2, forward_dynamics, 1, stride, v, sine, cosine, platform_twist_wy_2, platform_twist_wz,
+        platform_twist_wx_2, &limbs);
     const REAL platform_rate_mx = k12 * (limb5_S_v_wy * limb5_S_v_wz) - gravity_z_platform_mz * platform_turn_zy,
       t108 = platform_turn_zx * platform_rate_mx,
       minus_platform_rate_my = k12 * (limb5_S_v_wx * limb5_S_v_wz) - gravity_z_platform_mz * platform_turn_zx,
       t111 = t108 - platform_turn_zy * minus_platform_rate_my + limbs.t25[2];
-    NEXT_LIMB(1, forward_dynamics, 1, stride, v, sine, cosine, platform_twist_wy_2, platform_twist_wz, platform_twist_wx_2, &limbs);
-    NEXT_LIMB(3, forward_dynamics, 1, stride, v, sine, cosine, platform_twist_wy_2, platform_twist_wz, platform_twist_wx_2, &limbs);
-    const REAL t117 = limbs.t24[3] + (limbs.t24[1] - (limbs.t24[2] - (limbs.t25[0] + (limbs.t25[3] - (limbs.t25[1] + t111))))),
+    NEXT_LIMB(1, forward_dynamics, 1, stride, v, sine, cosine, platform_twist_wy_2, platform_twist_wz,
+        platform_twist_wx_2, &limbs);
+    NEXT_LIMB(3, forward_dynamics, 1, stride, v, sine, cosine, platform_twist_wy_2, platform_twist_wz,
+        platform_twist_wx_2, &limbs);
+    const REAL t117 = limbs.t24[3] + (limbs.t24[1] - (limbs.t24[2] - (limbs.t25[0] + (limbs.t25[3] - (limbs.t25[1] +
+        t111))))),
       t119 = limb5_S_null_space_wz_by_limb5_S_wy * (t107 + (t117 - limbs.t24[0])), t120 = k12 * platform_turn_yz,
       t125 = limbs.t4[0] + (limbs.t2[3] + (limbs.t2[1] - (platform_turn_zz * t120 - limbs.t4[2]))),
       t126 = t125 * minus_limb5_S_joint_acc_still_wz,
-      t152 = limb5_S_null_space_wz_by_limb5_S_wy * (t125 + (t125 - t149)), t89 = platform_turn_xx * platform_rate_mx,
+      t152 = limb5_S_null_space_wz_by_limb5_S_wy * (t125 + (t125 - t149)), t89 = platform_turn_xx *
+          platform_rate_mx,
       t130 = platform_turn_yx * platform_rate_mx - platform_turn_yy * minus_platform_rate_my + limbs.t22[2],
-      t134 = limbs.signed_U_handed_force_0[3] + (limbs.signed_U_handed_force_0[1] - (limbs.t16[2] - (t130 - limbs.t22[0]))),
+      t134 = limbs.signed_U_handed_force_0[3] + (limbs.signed_U_handed_force_0[1] - (limbs.t16[2] - (t130 -
+          limbs.t22[0]))),
       limb5_S_reduced_force_wy = t119 - (t126 + (t134 - limbs.t16[0])),
-      t95 = limbs.signed_U_handed_force_0[2] - (limbs.t22[3] + (t89 - platform_turn_xy * minus_platform_rate_my - limbs.t22[1])),
+      t95 = limbs.signed_U_handed_force_0[2] - (limbs.t22[3] + (t89 - platform_turn_xy * minus_platform_rate_my -
+          limbs.t22[1])),
       t98 = limbs.signed_U_handed_force_0[0] + (limbs.t16[3] + (limbs.t16[1] + t95)),
-      t147 = limbs.U_mass_matrix_0_by_U_0[3] + (limbs.U_mass_matrix_0_by_U_0[1] + (k13 + platform_turn_yz * t120 + limbs.t27[2])),
+      t147 = limbs.U_mass_matrix_0_by_U_0[3] + (limbs.U_mass_matrix_0_by_U_0[1] + (k13 + platform_turn_yz * t120 +
+          limbs.t27[2])),
       limb5_S_reduced_inertia_wy_by_limb5_S_wy = limbs.t27[0] + t147 - t152;
     REAL checked1 = limb5_S_reduced_inertia_wy_by_limb5_S_wy;
     const REAL t153 = 1.0 / limb5_S_reduced_inertia_wy_by_limb5_S_wy,
       t141 = platform_turn_xz * t120 + limbs.t26[2] - limbs.t26[1] - limbs.t26[3] + limbs.t26[0],
-      limb5_S_reduced_inertia_wx_by_limb5_S_wy = t141 + limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_handed_inertia_wz_by_limb5_S_wx,
+      limb5_S_reduced_inertia_wx_by_limb5_S_wy = t141 + limb5_S_null_space_wz_by_limb5_S_wy *
+          limb5_S_handed_inertia_wz_by_limb5_S_wx,
       limb5_S_reduced_force_wx = limb5_S_handed_inertia_wz_by_limb5_S_wx * minus_limb5_S_joint_acc_still_wz + t98;
     /* platform: accelerations; pivots; free motion */
     const REAL t154 = limb5_S_reduced_inertia_wx_by_limb5_S_wy * t153,
@@ -224,38 +243,53 @@ BODY(three_ups_upu_s_forward_dynamics)(size_t stride, const double *restrict q, 
       t161 = limbs.U_mass_matrix_0_by_U_0[2] + (k13 + platform_turn_xz * (k12 * platform_turn_xz)) + limbs.t27[1],
       pivot_1 = limbs.U_mass_matrix_0_by_U_0[0] + (limbs.t27[3] + t161) - t163;
     REAL checked2 = pivot_1;
-    const REAL limb5_S_joint_acc_wx = t156 / pivot_1, minus_limb5_S_joint_acc_wy = t154 * limb5_S_joint_acc_wx - t165,
-      minus_limb5_S_joint_acc_wz = minus_limb5_S_joint_acc_still_wz + limb5_S_null_space_wz_by_limb5_S_wy * minus_limb5_S_joint_acc_wy,
+    const REAL limb5_S_joint_acc_wx = t156 / pivot_1, minus_limb5_S_joint_acc_wy = t154 * limb5_S_joint_acc_wx -
+        t165,
+      minus_limb5_S_joint_acc_wz = minus_limb5_S_joint_acc_still_wz + limb5_S_null_space_wz_by_limb5_S_wy *
+          minus_limb5_S_joint_acc_wy,
       t167 = platform_turn_zx * minus_limb5_S_joint_acc_wz,
-      minus_platform_alpha_x = t167 + (platform_turn_yx * minus_limb5_S_joint_acc_wy - platform_turn_xx * limb5_S_joint_acc_wx);
+      minus_platform_alpha_x = t167 + (platform_turn_yx * minus_limb5_S_joint_acc_wy - platform_turn_xx *
+          limb5_S_joint_acc_wx);
     REAL checked3 = minus_platform_alpha_x;
     WRITE(a, 12, -minus_platform_alpha_x);
     const REAL t171 = platform_turn_zy * minus_limb5_S_joint_acc_wz,
-      minus_platform_alpha_y = t171 + (platform_turn_yy * minus_limb5_S_joint_acc_wy - platform_turn_xy * limb5_S_joint_acc_wx);
+      minus_platform_alpha_y = t171 + (platform_turn_yy * minus_limb5_S_joint_acc_wy - platform_turn_xy *
+          limb5_S_joint_acc_wx);
     checked0 = checked0 + minus_platform_alpha_y;
     WRITE(a, 13, -minus_platform_alpha_y);
     const REAL t175 = platform_turn_zz * minus_limb5_S_joint_acc_wz,
-      minus_platform_alpha_z = t175 + (platform_turn_yz * minus_limb5_S_joint_acc_wy - platform_turn_xz * limb5_S_joint_acc_wx);
+      minus_platform_alpha_z = t175 + (platform_turn_yz * minus_limb5_S_joint_acc_wy - platform_turn_xz *
+          limb5_S_joint_acc_wx);
     checked1 = checked1 + minus_platform_alpha_z;
     WRITE(a, 14, -minus_platform_alpha_z);
-    const EACH4 signed_limb5_S_joint_acc_wy = {minus_limb5_S_joint_acc_wy, limb5_S_joint_acc_wx, minus_limb5_S_joint_acc_wy, limb5_S_joint_acc_wx},
-      signed_limb5_S_joint_acc_wx = {limb5_S_joint_acc_wx, minus_limb5_S_joint_acc_wy, limb5_S_joint_acc_wx, minus_limb5_S_joint_acc_wy};
-    FIRST_LIMB(0, forward_dynamics, 2, stride, a, sine, cosine, minus_limb5_S_joint_acc_wz, signed_limb5_S_joint_acc_wy, signed_limb5_S_joint_acc_wx, &limbs);
+    const EACH4 signed_limb5_S_joint_acc_wy = {minus_limb5_S_joint_acc_wy, limb5_S_joint_acc_wx,
+        minus_limb5_S_joint_acc_wy, limb5_S_joint_acc_wx},
+      signed_limb5_S_joint_acc_wx = {limb5_S_joint_acc_wx, minus_limb5_S_joint_acc_wy, limb5_S_joint_acc_wx,
+          minus_limb5_S_joint_acc_wy};
+    FIRST_LIMB(0, forward_dynamics, 2, stride, a, sine, cosine, minus_limb5_S_joint_acc_wz,
+        signed_limb5_S_joint_acc_wy, signed_limb5_S_joint_acc_wx, &limbs);
     checked2 = checked2 + ALONE(limbs.checked[0]);
-    NEXT_LIMB(1, forward_dynamics, 2, stride, a, sine, cosine, minus_limb5_S_joint_acc_wz, signed_limb5_S_joint_acc_wy, signed_limb5_S_joint_acc_wx, &limbs);
+    NEXT_LIMB(1, forward_dynamics, 2, stride, a, sine, cosine, minus_limb5_S_joint_acc_wz,
+        signed_limb5_S_joint_acc_wy, signed_limb5_S_joint_acc_wx, &limbs);
     checked3 = checked3 + ALONE(limbs.checked[1]);
-    NEXT_LIMB(2, forward_dynamics, 2, stride, a, sine, cosine, minus_limb5_S_joint_acc_wz, signed_limb5_S_joint_acc_wy, signed_limb5_S_joint_acc_wx, &limbs);
+    NEXT_LIMB(2, forward_dynamics, 2, stride, a, sine, cosine, minus_limb5_S_joint_acc_wz,
+        signed_limb5_S_joint_acc_wy, signed_limb5_S_joint_acc_wx, &limbs);
     checked0 = checked0 + ALONE(limbs.checked[2]);
-    NEXT_LIMB(3, forward_dynamics, 2, stride, a, sine, cosine, minus_limb5_S_joint_acc_wz, signed_limb5_S_joint_acc_wy, signed_limb5_S_joint_acc_wx, &limbs);
+    NEXT_LIMB(3, forward_dynamics, 2, stride, a, sine, cosine, minus_limb5_S_joint_acc_wz,
+        signed_limb5_S_joint_acc_wy, signed_limb5_S_joint_acc_wx, &limbs);
     checked1 = checked1 + ALONE(limbs.checked[3]);
     /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
     FINITE_UNLESS4( /* status 1 where a pivot is smaller than its limit: */
-        SMALL4(limbs.minus_U_0_lever_mz_by_S_fz, 6.62327e-06, 6.62327e-06, 6.62327e-06, 6.62327e-06) OR /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
+        SMALL4(limbs.minus_U_0_lever_mz_by_S_fz, 6.62327e-06, 6.62327e-06, 6.62327e-06, 6.62327e-06) OR
+            /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the
+               reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
         SMALL(minus_limb5_S_pivot_wz, 1.0e-05) OR /* where the loops no longer determine limb5_S.wz */
-        SMALL(limb5_S_reduced_inertia_wy_by_limb5_S_wy, 0.0007562600000000001) OR /* where limb5_S.wy feels no inertia */
-        SMALL(pivot_1, 0.0007551200000000001), /* where step 1 of symmetric equations loses rank: of drives, inertia or internal loads */
+        SMALL(limb5_S_reduced_inertia_wy_by_limb5_S_wy, 0.0007562600000000001) OR
+            /* where limb5_S.wy feels no inertia */
+        SMALL(pivot_1, 0.0007551200000000001),
+            /* where step 1 of symmetric equations loses rank: of drives, inertia or internal loads */
         (checked0 + checked1) + (checked2 + checked3), limbs.checked);
 }
 #endif
@@ -323,7 +357,8 @@ STAGE(forward_dynamics_independent, 2)(size_t limb, size_t stride, const double 
     OWN(t16) = (-0.5) * OWN(t14);
     OWN(t17) = 0.5 * OWN(t12);
     const LIMB4 lower_cos = IN_EACH4(SINES, cosine, 1, 2);
-    OWN(signed_U_0_moment_z) = lower_cos * (sign1 * (OWN(upper_offset_x) * (limb_lower_m_gravity_z * IN_EACH4(SINES, sine, 0, 2))));
+    OWN(signed_U_0_moment_z) = lower_cos * (sign1 * (OWN(upper_offset_x) * (limb_lower_m_gravity_z * IN_EACH4(SINES,
+        sine, 0, 2))));
     const LIMB4 U_0_acc_y = each_gravity_z * IN_EACH4(SINES, cosine, 0, 2);
     OWN(signed_lower_moment_z) = OWN(upper_offset_x) * (limb_lower_m * (IN_EACH4(SINES, sine, 1, 2) * U_0_acc_y));
     OWN(P_generalised_force) = limb_lower_m * (lower_cos * U_0_acc_y) - IN_EACH4(READ, u, 0, 1);
@@ -347,7 +382,8 @@ STAGE(forward_dynamics_independent, 3)(size_t limb, size_t stride, const double 
     /* each limb: accelerations; free motion; velocities, eq. (6) */
     const LIMB4 t5 = signed_lower_sin * OWN(signed_U_joint_rate_1), lower_cos = IN_EACH4(SINES, cosine, 1, 2),
       t50 = param_R * t5, t7 = lower_cos * signed_P_joint_rate - OWN(upper_offset_x) * t5,
-      t19 = OWN(signed_upper_position_x) * (U_0_cos * limb5_S_joint_rate_wz - signed_U_0_sin * GIVEN(signed_limb5_S_joint_rate_wy));
+      t19 = OWN(signed_upper_position_x) * (U_0_cos * limb5_S_joint_rate_wz - signed_U_0_sin *
+          GIVEN(signed_limb5_S_joint_rate_wy));
     OWN(signed_U_joint_rate_0) = GIVEN(signed_limb5_S_joint_rate_wx) + sign3 * (OWN(t1) * t19);
     const LIMB4 t21 = t7 * OWN(signed_U_joint_rate_0), t65 = sign1 * (t7 * GIVEN(given)), t61 = sign1 * given_2,
       t13 = U_0_cos * t61;
@@ -373,7 +409,8 @@ STAGE(forward_dynamics_independent, 3)(size_t limb, size_t stride, const double 
     OWN(t6) = t30 - (t31 + OWN(S_arm_x) * t32);
     const LIMB4 t44 = OWN(U_mass_matrix_1_by_U_1) * (OWN(t2) * OWN(t6)),
       t54 = limb_lower_m * (t51 + OWN(signed_S_arm_y) * t32),
-      t49 = OWN(U_follows_1_by_S_0) * (OWN(signed_lower_moment_z) - (OWN(t12) * t31 - OWN(t16) * minus_U_0_U_still_xx) - t44),
+      t49 = OWN(U_follows_1_by_S_0) * (OWN(signed_lower_moment_z) - (OWN(t12) * t31 - OWN(t16) *
+          minus_U_0_U_still_xx) - t44),
       t60 = OWN(signed_S_arm_y) * (OWN(P_generalised_force) - (t56 + OWN(t18) * minus_U_0_U_still_xx) - t54),
       signed_S_handed_force_0 = t49 - t60;
     OWN(t19) = U_0_cos * signed_S_handed_force_0;
@@ -419,7 +456,8 @@ BODY(three_ups_upu_s_forward_dynamics_independent)(size_t stride, const double *
       limb5_S_null_space_wz_by_limb5_S_wy = t30 * t33;
     /* limb5_S: velocities, eq. (6); accelerations; geometry */
     const REAL t43 = limb5_S_q_qy * t35, t44 = t43 * limb5_S_null_space_wz_by_limb5_S_wy, t39 = limb5_S_q_qz * t35,
-      t46 = 0.5 * (t39 - t44), t40 = 0.5 * t39, limb5_S_y_dot_qx = READ(y_dot, 0), limb5_S_y_dot_qy = READ(y_dot, 1),
+      t46 = 0.5 * (t39 - t44), t40 = 0.5 * t39, limb5_S_y_dot_qx = READ(y_dot, 0), limb5_S_y_dot_qy = READ(y_dot,
+          1),
       t47 = t40 * t46, t41 = t40 * limb5_S_y_dot_qx, t55 = limb5_S_y_dot_qy * t46, t48 = limb5_S_q_qx * t35,
       t36 = limb5_S_q_qw * t35, t51 = 0.5 * (t36 + t48 * limb5_S_null_space_wz_by_limb5_S_wy), t37 = 0.5 * t36,
       a_pivot = t47 + t37 * t51;
@@ -428,13 +466,16 @@ BODY(three_ups_upu_s_forward_dynamics_independent)(size_t stride, const double *
       limb5_S_joint_rate_wz = t30 * (t33 * limb5_S_joint_rate_wy),
       minus_limb5_S_joint_rate_wx = t53 * (t55 - limb5_S_y_dot_qx * t51),
       t90 = platform_turn_zy * limb5_S_joint_rate_wz,
-      platform_omega_y = t90 + (platform_turn_yy * limb5_S_joint_rate_wy - platform_turn_xy * minus_limb5_S_joint_rate_wx),
+      platform_omega_y = t90 + (platform_turn_yy * limb5_S_joint_rate_wy - platform_turn_xy *
+          minus_limb5_S_joint_rate_wx),
       t94 = platform_turn_xy * platform_omega_y, platform_turn_zx = t83 - t84, platform_turn_xz = t83 + t84,
       t96 = platform_turn_zx * limb5_S_joint_rate_wz,
-      platform_omega_x = t96 + (platform_turn_yx * limb5_S_joint_rate_wy - platform_turn_xx * minus_limb5_S_joint_rate_wx);
+      platform_omega_x = t96 + (platform_turn_yx * limb5_S_joint_rate_wy - platform_turn_xx *
+          minus_limb5_S_joint_rate_wx);
     /* platform: accelerations; velocities, eq. (6); momentum rate, eq. (35) */
     const REAL t101 = t94 + platform_turn_xx * platform_omega_x, t85 = platform_turn_zz * limb5_S_joint_rate_wz,
-      platform_omega_z = t85 + (platform_turn_yz * limb5_S_joint_rate_wy - platform_turn_xz * minus_limb5_S_joint_rate_wx),
+      platform_omega_z = t85 + (platform_turn_yz * limb5_S_joint_rate_wy - platform_turn_xz *
+          minus_limb5_S_joint_rate_wx),
       t102 = platform_turn_xz * platform_omega_z + t101,
       t106 = platform_turn_yy * platform_omega_y + platform_turn_yx * platform_omega_x,
       t107 = platform_turn_yz * platform_omega_z + t106;
@@ -443,10 +484,13 @@ BODY(three_ups_upu_s_forward_dynamics_independent)(size_t stride, const double *
       t111 = platform_turn_zy * platform_omega_y + platform_turn_zx * platform_omega_x,
       platform_U_still_xz = platform_omega_z * platform_omega_x, t112 = platform_turn_zz * platform_omega_z + t111,
       t182 = k12 * platform_U_still_xz;
-    const EACH4 signed_limb5_S_joint_rate_wy = {limb5_S_joint_rate_wy, minus_limb5_S_joint_rate_wx, limb5_S_joint_rate_wy, minus_limb5_S_joint_rate_wx},
-      signed_limb5_S_joint_rate_wx = {minus_limb5_S_joint_rate_wx, limb5_S_joint_rate_wy, minus_limb5_S_joint_rate_wx, limb5_S_joint_rate_wy};
+    const EACH4 signed_limb5_S_joint_rate_wy = {limb5_S_joint_rate_wy, minus_limb5_S_joint_rate_wx,
+        limb5_S_joint_rate_wy, minus_limb5_S_joint_rate_wx},
+      signed_limb5_S_joint_rate_wx = {minus_limb5_S_joint_rate_wx, limb5_S_joint_rate_wy,
+          minus_limb5_S_joint_rate_wx, limb5_S_joint_rate_wy};
     FIRST_LIMB(0, forward_dynamics_independent, 2, stride, u, sine, cosine, &limbs);
-    FIRST_LIMB(0, forward_dynamics_independent, 3, stride, sine, cosine, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, given, t112, given_3, signed_limb5_S_joint_rate_wx, &limbs);
+    FIRST_LIMB(0, forward_dynamics_independent, 3, stride, sine, cosine, limb5_S_joint_rate_wz,
+        signed_limb5_S_joint_rate_wy, given, t112, given_3, signed_limb5_S_joint_rate_wx, &limbs);
     const REAL t114 = limb1_U_factor_1_by_3 * limbs.t6[0], t113 = minus_limb1_U_factor_0_by_3 * limbs.t5[0];
     /* limb1: loop closure; velocities, eq. (6) */
     const REAL t121 = limb1_lower_cos * t102 - limb1_lower_sin * limbs.t3[0], t126 = limb1_lower_sin * t102,
@@ -457,7 +501,8 @@ BODY(three_ups_upu_s_forward_dynamics_independent)(size_t stride, const double *
       t123 = limb1_U2_constraint_mn_couple_x * t122, t128 = t126 + limb1_lower_cos * limbs.t3[0],
       minus_limb1_lower_omega_x = limb1_lower_sin * limbs.signed_U_joint_rate_0[0],
       t129 = t128 + minus_limb1_lower_omega_x,
-      t138 = limb1_U2_constraint_mn_couple_z * (minus_limb1_lower_omega_y * t129 - t122 * minus_limb1_lower_omega_x),
+      t138 = limb1_U2_constraint_mn_couple_z * (minus_limb1_lower_omega_y * t129 - t122 *
+          minus_limb1_lower_omega_x),
       t144 = t138 - t143, t130 = limb1_U2_constraint_mn_couple_z * t122,
       limb1_U2_opening_mn = t116 + limb1_lower_cos * platform_turn_xy,
       t125 = t115 * (limb1_U2_opening_mn * t115 + t123);
@@ -484,34 +529,43 @@ BODY(three_ups_upu_s_forward_dynamics_independent)(size_t stride, const double *
       t193 = limb5_S_handed_inertia_wz * limb5_S_joint_acc_still_wz,
       t175 = limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_handed_inertia_wz;
     NEXT_LIMB(2, forward_dynamics_independent, 2, stride, u, sine, cosine, &limbs);
-    NEXT_LIMB(2, forward_dynamics_independent, 3, stride, sine, cosine, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, given, t112, given_3, signed_limb5_S_joint_rate_wx, &limbs);
+    NEXT_LIMB(2, forward_dynamics_independent, 3, stride, sine, cosine, limb5_S_joint_rate_wz,
+        signed_limb5_S_joint_rate_wy, given, t112, given_3, signed_limb5_S_joint_rate_wx, &limbs);
     const REAL platform_rate_my = gravity_z_platform_mz * platform_turn_zx - t182,
       t194 = platform_turn_zy * platform_rate_my,
       minus_platform_rate_mx = gravity_z_platform_mz * platform_turn_zy - t184,
       t197 = limbs.t21[2] + (t194 - platform_turn_zx * minus_platform_rate_mx);
     NEXT_LIMB(1, forward_dynamics_independent, 2, stride, u, sine, cosine, &limbs);
-    NEXT_LIMB(1, forward_dynamics_independent, 3, stride, sine, cosine, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, given, t112, given_3, signed_limb5_S_joint_rate_wx, &limbs);
+    NEXT_LIMB(1, forward_dynamics_independent, 3, stride, sine, cosine, limb5_S_joint_rate_wz,
+        signed_limb5_S_joint_rate_wy, given, t112, given_3, signed_limb5_S_joint_rate_wx, &limbs);
     const REAL t198 = limbs.t21[1] + t197;
     NEXT_LIMB(3, forward_dynamics_independent, 2, stride, u, sine, cosine, &limbs);
-    NEXT_LIMB(3, forward_dynamics_independent, 3, stride, sine, cosine, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, given, t112, given_3, signed_limb5_S_joint_rate_wx, &limbs);
-    const REAL t204 = limbs.t20[3] + (limbs.t20[1] - (limbs.t20[2] + (limbs.t21[0] + (limbs.t21[3] - t198)))) - limbs.t20[0],
+    NEXT_LIMB(3, forward_dynamics_independent, 3, stride, sine, cosine, limb5_S_joint_rate_wz,
+        signed_limb5_S_joint_rate_wy, given, t112, given_3, signed_limb5_S_joint_rate_wx, &limbs);
+    const REAL t204 = limbs.t20[3] + (limbs.t20[1] - (limbs.t20[2] + (limbs.t21[0] + (limbs.t21[3] - t198)))) -
+        limbs.t20[0],
       t205 = limb5_S_null_space_wz_by_limb5_S_wy * (t193 + t204), t147 = k12 * platform_turn_yz,
       t169 = limbs.t9[0] - (limbs.t8[1] + (platform_turn_zz * t147 - limbs.t9[2]) - limbs.t8[3]),
       t206 = t169 * limb5_S_joint_acc_still_wz, t178 = limb5_S_null_space_wz_by_limb5_S_wy * (t169 + (t169 - t175)),
       t183 = platform_turn_xy * platform_rate_my,
       t210 = limbs.t19[2] + (platform_turn_yy * platform_rate_my - platform_turn_yx * minus_platform_rate_mx),
-      t214 = limbs.signed_U_handed_force_0[1] + (limbs.t15[2] + (t210 - limbs.t19[0])) - limbs.signed_U_handed_force_0[3],
+      t214 = limbs.signed_U_handed_force_0[1] + (limbs.t15[2] + (t210 - limbs.t19[0])) -
+          limbs.signed_U_handed_force_0[3],
       minus_limb5_S_reduced_force_wy = t205 - (t206 - (limbs.t15[0] + t214)),
-      t189 = limbs.signed_U_handed_force_0[2] - (limbs.t19[3] - (limbs.t19[1] - (t183 - platform_turn_xx * minus_platform_rate_mx))),
+      t189 = limbs.signed_U_handed_force_0[2] - (limbs.t19[3] - (limbs.t19[1] - (t183 - platform_turn_xx *
+          minus_platform_rate_mx))),
       t192 = limbs.signed_U_handed_force_0[0] + (limbs.t15[3] + (limbs.t15[1] - t189)),
-      t163 = limbs.U_mass_matrix_0_by_U_0[3] + (limbs.U_mass_matrix_0_by_U_0[1] + (k13 + platform_turn_yz * t147 + limbs.t10[2])),
+      t163 = limbs.U_mass_matrix_0_by_U_0[3] + (limbs.U_mass_matrix_0_by_U_0[1] + (k13 + platform_turn_yz * t147 +
+          limbs.t10[2])),
       limb5_S_reduced_inertia_wy_by_limb5_S_wy = limbs.t10[0] + t163 - t178;
     checked2 = checked2 + limb5_S_reduced_inertia_wy_by_limb5_S_wy;
     const REAL t179 = 1.0 / limb5_S_reduced_inertia_wy_by_limb5_S_wy,
       t152 = platform_turn_xz * t147 - limbs.t7[2] + limbs.t7[1] - limbs.t7[3] + limbs.t7[0],
-      limb5_S_reduced_inertia_wx_by_limb5_S_wy = t152 + limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_handed_inertia_wz_by_limb5_S_wx,
+      limb5_S_reduced_inertia_wx_by_limb5_S_wy = t152 + limb5_S_null_space_wz_by_limb5_S_wy *
+          limb5_S_handed_inertia_wz_by_limb5_S_wx,
       minus_limb5_S_reduced_force_wx = limb5_S_handed_inertia_wz_by_limb5_S_wx * limb5_S_joint_acc_still_wz + t192,
-      t180 = limb5_S_reduced_inertia_wx_by_limb5_S_wy * t179, t225 = limb5_S_reduced_inertia_wx_by_limb5_S_wy * t180,
+      t180 = limb5_S_reduced_inertia_wx_by_limb5_S_wy * t179, t225 = limb5_S_reduced_inertia_wx_by_limb5_S_wy *
+          t180,
       t227 = minus_limb5_S_reduced_force_wy * t179,
       t218 = minus_limb5_S_reduced_force_wx - minus_limb5_S_reduced_force_wy * t180,
       t223 = limbs.U_mass_matrix_0_by_U_0[2] + (k13 + platform_turn_xz * (k12 * platform_turn_xz)) + limbs.t10[1],
@@ -519,7 +573,8 @@ BODY(three_ups_upu_s_forward_dynamics_independent)(size_t stride, const double *
     checked3 = checked3 + pivot_1;
     const REAL minus_limb5_S_joint_acc_wx = t218 / pivot_1,
       limb5_S_joint_acc_wy = t180 * minus_limb5_S_joint_acc_wx - t227,
-      limb5_S_joint_acc_wz = limb5_S_joint_acc_still_wz + limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_joint_acc_wy;
+      limb5_S_joint_acc_wz = limb5_S_joint_acc_still_wz + limb5_S_null_space_wz_by_limb5_S_wy *
+          limb5_S_joint_acc_wy;
     /* limb5_S: results */
     const REAL t235 = platform_turn_zy * limb5_S_joint_acc_wz,
       t239 = t235 + (platform_turn_yy * limb5_S_joint_acc_wy - platform_turn_xy * minus_limb5_S_joint_acc_wx),
@@ -549,11 +604,15 @@ BODY(three_ups_upu_s_forward_dynamics_independent)(size_t stride, const double *
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
     FINITE_UNLESS4( /* status 1 where a pivot is smaller than its limit: */
-        SMALL4(limbs.minus_U_0_lever_mz_by_S_fz, 6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10) OR /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
+        SMALL4(limbs.minus_U_0_lever_mz_by_S_fz, 6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10) OR
+            /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the
+               reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
         SMALL(minus_limb5_S_pivot_wz, 1.0e-09) OR /* where the loops no longer determine limb5_S.wz */
         SMALL(a_pivot, 1.0e-09) OR /* where the elimination meets a singularity */
-        SMALL(limb5_S_reduced_inertia_wy_by_limb5_S_wy, 7.562600000000002e-08) OR /* where limb5_S.wy feels no inertia */
-        SMALL(pivot_1, 7.551200000000001e-08), /* where step 1 of symmetric equations loses rank: of drives, inertia or internal loads */
+        SMALL(limb5_S_reduced_inertia_wy_by_limb5_S_wy, 7.562600000000002e-08) OR
+            /* where limb5_S.wy feels no inertia */
+        SMALL(pivot_1, 7.551200000000001e-08),
+            /* where step 1 of symmetric equations loses rank: of drives, inertia or internal loads */
         (checked0 + checked1) + (checked2 + checked3), limbs.checked);
 }
 #endif
@@ -629,7 +688,8 @@ STAGE(forward_dynamics_reactions, 0)(size_t limb, size_t stride, const double *r
     OWN(t14) = t13 + t73;
     const LIMB4 t66 = 0.5 * t43;
     /* each limb: accelerations; free motion */
-    const LIMB4 minus_U_0_U_still_xx = U_v_0 * U_v_0, P_v = IN_EACH4(READ, v, 2, 3), t67 = minus_U_0_U_still_xx * t66,
+    const LIMB4 minus_U_0_U_still_xx = U_v_0 * U_v_0, P_v = IN_EACH4(READ, v, 2, 3), t67 = minus_U_0_U_still_xx *
+        t66,
       t36 = U_v_1 * P_v, t70 = lower_moment_z + (t67 + t36 * t46), t76 = sign2 * platform_twist_wz,
       t17 = signed_U_0_sin * t76;
     OWN(t6) = signed_U_0_sin * platform_twist_wy - U_0_cos * t76;
@@ -650,7 +710,8 @@ STAGE(forward_dynamics_reactions, 0)(size_t limb, size_t stride, const double *r
     const LIMB4 t21 = OWN(upper_offset_x) * t20, t19 = OWN(upper_position_x) * (U_v_0 * OWN(t5)),
       t51 = t43 * (U_v_0 * U_v_1) - t48 * (U_v_0 * P_v);
     OWN(minus_upper_force_z) = each_limb_lower_m_gravity_z * signed_U_0_sin;
-    const LIMB4 t52 = lower_cos * (OWN(upper_offset_x) * OWN(minus_upper_force_z)) - t51, t23 = P_v * lower_cos - t21;
+    const LIMB4 t52 = lower_cos * (OWN(upper_offset_x) * OWN(minus_upper_force_z)) - t51, t23 = P_v * lower_cos -
+        t21;
     OWN(t7) = U_v_0 * t23 - t19 - t31 - platform_twist_wx * t23;
     OWN(t9) = OWN(t1) * OWN(t7);
     OWN(U_handed_force_0) = t52 + OWN(U_mass_matrix_0_by_U_0) * OWN(t9);
@@ -677,7 +738,8 @@ STAGE(forward_dynamics_reactions, 1)(size_t limb, size_t stride, const double *r
     OWN(t21) = P_u * (minus_limb1_U_factor_0_by_3 * signed_limb1_U2_part_mn_by_P);
     const LIMB4 U_0_cos = IN_EACH4(SINES, cosine, 0, 2);
     /* each limb: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47) */
-    const LIMB4 t4 = OWN(U_follows_0_by_S_1) * (U_0_cos * minus_limb5_S_joint_acc_wz - signed_U_0_sin * signed_limb5_S_joint_acc_wy),
+    const LIMB4 t4 = OWN(U_follows_0_by_S_1) * (U_0_cos * minus_limb5_S_joint_acc_wz - signed_U_0_sin *
+        signed_limb5_S_joint_acc_wy),
       signed_U_joint_acc_0 = signed_limb5_S_joint_acc_wx - (t4 - sign1 * OWN(t9));
     WRITE4(a, 0, 3, 6, 9, sign1 * signed_U_joint_acc_0);
     const LIMB4 t51 = sign1 * signed_U_joint_acc_0, lower_cos = IN_EACH4(SINES, cosine, 1, 2),
@@ -699,7 +761,8 @@ STAGE(forward_dynamics_reactions, 1)(size_t limb, size_t stride, const double *r
     const LIMB4 t30 = lower_cos * (OWN(upper_moment_y) + t23 - t29), t50 = sign2 * IN_EACH4(SINES, sine, 1, 2),
       t44 = k14 * (OWN(lower_alpha_still_x) + t50 * t51);
     OWN(S_multiplier_fz) = OWN(t1) * (U_0_rate_mz + (t50 * (k10 * OWN(lower_alpha_still_x)) - t30));
-    const LIMB4 t35 = t50 * (OWN(S_arm_x) * OWN(S_multiplier_fz)) + lower_cos * (OWN(S_arm_y) * OWN(S_multiplier_fz)),
+    const LIMB4 t35 = t50 * (OWN(S_arm_x) * OWN(S_multiplier_fz)) + lower_cos * (OWN(S_arm_y) *
+        OWN(S_multiplier_fz)),
       t36 = U_0_cos * t35,
       t49 = sign1 * (signed_U_0_sin * minus_limb5_S_joint_acc_wz + U_0_cos * signed_limb5_S_joint_acc_wy),
       U_joint_acc_1 = OWN(t12) + OWN(minus_U_follows_1_by_S_0) * t49;
@@ -779,7 +842,8 @@ STAGE(forward_dynamics_reactions, 2)(size_t limb, size_t stride, const double *r
     WRITE4(reactions, 8, 26, 44, 62, -sign4 * signed_P_reaction_fz);
     const LIMB4 t25 = minus_upper_position_y * signed_P_reaction_fz - t23,
       t31 = OWN(upper_position_x) * signed_P_reaction_fz + t30,
-      P_reaction_my = t31 + (OWN(minus_lower_rotation_yx) * minus_upper_rate_mx - t33 - U_0_cos * minus_upper_rate_mz_2);
+      P_reaction_my = t31 + (OWN(minus_lower_rotation_yx) * minus_upper_rate_mx - t33 - U_0_cos *
+          minus_upper_rate_mz_2);
     WRITE4(reactions, 10, 27, 46, 63, P_reaction_my);
     checked = checked + P_reaction_my;
     const LIMB4 P_reaction_mx = t25 - (lower_cos * OWN(minus_upper_rate_my_2) + t66 * minus_upper_rate_mx);
@@ -828,14 +892,16 @@ BODY(three_ups_upu_s_forward_dynamics_reactions)(size_t stride, const double *re
       t10 = limb5_S_q_qz * t9, t26 = limb5_S_q_qw * (limb5_S_q_qx * t9), t35 = limb5_S_q_qw * t10,
       platform_turn_yx = t34 + t35, platform_turn_xy = t34 - t35, limb5_S_v_wx = READ(v, 12),
       limb5_S_v_wy = READ(v, 13), t42 = limb5_S_v_wy * platform_turn_yy + limb5_S_v_wx * platform_turn_yx,
-      t24 = limb5_S_q_qy * t10, t11 = limb5_S_q_qx * t10, platform_turn_yz = t24 - t26, platform_turn_zy = t24 + t26,
+      t24 = limb5_S_q_qy * t10, t11 = limb5_S_q_qx * t10, platform_turn_yz = t24 - t26, platform_turn_zy = t24 +
+          t26,
       limb5_S_v_wz = READ(v, 14), platform_twist_wy = t42 + limb5_S_v_wz * platform_turn_yz,
       platform_turn_zx = t11 - t13, platform_turn_xz = t11 + t13,
       t52 = limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy,
       platform_twist_wz = limb5_S_v_wz * platform_turn_zz + t52,
       t47 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy,
       platform_twist_wx = t47 + limb5_S_v_wz * platform_turn_xz;
-    FIRST_LIMB(0, forward_dynamics_reactions, 0, stride, q, v, u, sine, cosine, platform_twist_wy, platform_twist_wz, platform_twist_wx, &limbs);
+    FIRST_LIMB(0, forward_dynamics_reactions, 0, stride, q, v, u, sine, cosine, platform_twist_wy,
+        platform_twist_wz, platform_twist_wx, &limbs);
     /* limb1: geometry */
     const REAL limb1_lower_sin = SINES(sine, 1), limb1_lower_cos = SINES(cosine, 1);
     /* limb1: loop closure; reciprocal wrenches, eq. (10); rates that follow */
@@ -852,7 +918,8 @@ BODY(three_ups_upu_s_forward_dynamics_reactions)(size_t stride, const double *re
       t72 = t63 - limb1_U2_constraint_mn_couple_z * t70,
       limb1_U2_opening_mn = t73 + limb1_lower_cos * platform_turn_xy,
       t78 = t68 * (limb1_U2_opening_mn * t68 + limb1_U2_constraint_mn_couple_z * t59),
-      limb1_U2_opening_bias_mn = t72 - (t78 - t54 * (limb1_U2_constraint_mn_couple_x * t59 - limb1_U2_opening_mn * t54)),
+      limb1_U2_opening_bias_mn = t72 - (t78 - t54 * (limb1_U2_constraint_mn_couple_x * t59 - limb1_U2_opening_mn *
+          t54)),
       minus_limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * limbs.t3[0],
       t85 = limb1_U2_opening_bias_mn + limbs.t8[0] * minus_limb1_U_factor_1_by_3, /* limb5_S */
       limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * limbs.t1[0],
@@ -860,19 +927,23 @@ BODY(three_ups_upu_s_forward_dynamics_reactions)(size_t stride, const double *re
       t28 = limbs.upper_position_x[0] * limb1_U_factor_0_by_3,
       minus_limb1_U2_factor_1_by_3 = limb1_lower_cos * limb1_U2_constraint_mn_couple_x - t28,
       t29 = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3, t99 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3,
-      minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z + limbs.S_arm_x[0] * minus_limb1_U_factor_1_by_3,
+      minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z + limbs.S_arm_x[0] *
+          minus_limb1_U_factor_1_by_3,
       t38 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3;
     /* limb5_S: pivots; accelerations; rates that follow */
     const REAL minus_limb5_S_pivot_wz = t29 + t38;
     REAL checked0 = minus_limb5_S_pivot_wz;
     const REAL t39 = 1.0 / minus_limb5_S_pivot_wz, limb5_S_joint_acc_still_wz = t39 * t86,
       limb5_S_null_space_wz_by_limb5_S_wy = t39 * (t99 - limb1_U_0_cos * minus_limb1_U2_factor_0_by_3);
-    NEXT_LIMB(2, forward_dynamics_reactions, 0, stride, q, v, u, sine, cosine, platform_twist_wy, platform_twist_wz, platform_twist_wx, &limbs);
+    NEXT_LIMB(2, forward_dynamics_reactions, 0, stride, q, v, u, sine, cosine, platform_twist_wy, platform_twist_wz,
+        platform_twist_wx, &limbs);
     /* limb5_S: free motion; accelerations; momentum rate, eq. (35) */
     const REAL t16 = k12 * platform_turn_zz, t104 = k13 + platform_turn_zz * t16 + limbs.t14[2],
       t18 = platform_turn_xz * t16 + limbs.t2[2];
-    NEXT_LIMB(1, forward_dynamics_reactions, 0, stride, q, v, u, sine, cosine, platform_twist_wx, platform_twist_wz, platform_twist_wy, &limbs);
-    NEXT_LIMB(3, forward_dynamics_reactions, 0, stride, q, v, u, sine, cosine, platform_twist_wx, platform_twist_wz, platform_twist_wy, &limbs);
+    NEXT_LIMB(1, forward_dynamics_reactions, 0, stride, q, v, u, sine, cosine, platform_twist_wx, platform_twist_wz,
+        platform_twist_wy, &limbs);
+    NEXT_LIMB(3, forward_dynamics_reactions, 0, stride, q, v, u, sine, cosine, platform_twist_wx, platform_twist_wz,
+        platform_twist_wy, &limbs);
     const REAL limb5_S_handed_inertia_wz = limbs.t14[0] + (limbs.t14[3] + (limbs.t14[1] + t104)),
       limb5_S_handed_inertia_wz_by_limb5_S_wx = limbs.t2[0] + (limbs.t4[3] + (t18 + limbs.t4[1])),
       t107 = limb5_S_handed_inertia_wz * limb5_S_joint_acc_still_wz,
@@ -880,10 +951,12 @@ BODY(three_ups_upu_s_forward_dynamics_reactions)(size_t stride, const double *re
       minus_platform_moment_x = gravity_z_platform_mz * platform_turn_zy,
       platform_U_still_yz = limb5_S_v_wy * limb5_S_v_wz, t88 = k12 * platform_U_still_yz,
       platform_rate_mx = t88 - minus_platform_moment_x, t108 = platform_turn_zx * platform_rate_mx,
-      platform_moment_y = gravity_z_platform_mz * platform_turn_zx, platform_U_still_xz = limb5_S_v_wx * limb5_S_v_wz,
+      platform_moment_y = gravity_z_platform_mz * platform_turn_zx, platform_U_still_xz = limb5_S_v_wx *
+          limb5_S_v_wz,
       t90 = k12 * platform_U_still_xz, minus_platform_rate_my = t90 - platform_moment_y,
       t113 = limbs.t16[3] - (t108 - platform_turn_zy * minus_platform_rate_my + limbs.t16[2] - limbs.t16[1]),
-      minus_limb5_S_handed_force_wz = limbs.t15[3] + (limbs.t15[1] - (limbs.t15[2] + (limbs.t16[0] - t113))) - limbs.t15[0] - t107,
+      minus_limb5_S_handed_force_wz = limbs.t15[3] + (limbs.t15[1] - (limbs.t15[2] + (limbs.t16[0] - t113))) -
+          limbs.t15[0] - t107,
       t119 = limb5_S_null_space_wz_by_limb5_S_wy * minus_limb5_S_handed_force_wz, t120 = k12 * platform_turn_yz,
       t125 = limbs.t4[0] + (limbs.t2[3] + (limbs.t2[1] - (platform_turn_zz * t120 - limbs.t4[2]))),
       t126 = t125 * limb5_S_joint_acc_still_wz, t152 = limb5_S_null_space_wz_by_limb5_S_wy * (t125 + (t125 - t149)),
@@ -891,14 +964,17 @@ BODY(three_ups_upu_s_forward_dynamics_reactions)(size_t stride, const double *re
       t130 = platform_turn_yx * platform_rate_mx - platform_turn_yy * minus_platform_rate_my + limbs.t13[2],
       t134 = limbs.U_handed_force_0[3] + (limbs.U_handed_force_0[1] - (limbs.t10[2] - (limbs.t13[0] + t130))),
       limb5_S_reduced_force_wy = t119 - (t134 - limbs.t10[0] - t126),
-      t95 = limbs.U_handed_force_0[2] + (limbs.t13[3] + (t89 - platform_turn_xy * minus_platform_rate_my + limbs.t13[1])),
+      t95 = limbs.U_handed_force_0[2] + (limbs.t13[3] + (t89 - platform_turn_xy * minus_platform_rate_my +
+          limbs.t13[1])),
       t98 = limbs.t10[3] + (limbs.t10[1] - t95) - limbs.U_handed_force_0[0],
-      t147 = limbs.U_mass_matrix_0_by_U_0[3] + (limbs.U_mass_matrix_0_by_U_0[1] + (k13 + platform_turn_yz * t120 + limbs.t18[2])),
+      t147 = limbs.U_mass_matrix_0_by_U_0[3] + (limbs.U_mass_matrix_0_by_U_0[1] + (k13 + platform_turn_yz * t120 +
+          limbs.t18[2])),
       limb5_S_reduced_inertia_wy_by_limb5_S_wy = limbs.t18[0] + t147 - t152;
     REAL checked1 = limb5_S_reduced_inertia_wy_by_limb5_S_wy;
     const REAL t153 = 1.0 / limb5_S_reduced_inertia_wy_by_limb5_S_wy,
       t141 = platform_turn_xz * t120 - limbs.t17[2] - limbs.t17[1] - limbs.t17[3] - limbs.t17[0],
-      limb5_S_reduced_inertia_wx_by_limb5_S_wy = t141 + limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_handed_inertia_wz_by_limb5_S_wx,
+      limb5_S_reduced_inertia_wx_by_limb5_S_wy = t141 + limb5_S_null_space_wz_by_limb5_S_wy *
+          limb5_S_handed_inertia_wz_by_limb5_S_wx,
       limb5_S_reduced_force_wx = t98 - limb5_S_handed_inertia_wz_by_limb5_S_wx * limb5_S_joint_acc_still_wz;
     /* platform: accelerations; pivots; balance, eqs. (40)-(47) */
     const REAL t154 = limb5_S_reduced_inertia_wx_by_limb5_S_wy * t153,
@@ -907,52 +983,73 @@ BODY(three_ups_upu_s_forward_dynamics_reactions)(size_t stride, const double *re
       t161 = limbs.U_mass_matrix_0_by_U_0[2] + (k13 + platform_turn_xz * (k12 * platform_turn_xz)) + limbs.t18[1],
       pivot_1 = limbs.U_mass_matrix_0_by_U_0[0] + (limbs.t18[3] + t161) - t163;
     REAL checked2 = pivot_1;
-    const REAL limb5_S_joint_acc_wx = t156 / pivot_1, minus_limb5_S_joint_acc_wy = t154 * limb5_S_joint_acc_wx - t165,
-      minus_limb5_S_joint_acc_wz = limb5_S_null_space_wz_by_limb5_S_wy * minus_limb5_S_joint_acc_wy - limb5_S_joint_acc_still_wz,
+    const REAL limb5_S_joint_acc_wx = t156 / pivot_1, minus_limb5_S_joint_acc_wy = t154 * limb5_S_joint_acc_wx -
+        t165,
+      minus_limb5_S_joint_acc_wz = limb5_S_null_space_wz_by_limb5_S_wy * minus_limb5_S_joint_acc_wy -
+          limb5_S_joint_acc_still_wz,
       t171 = platform_turn_zy * minus_limb5_S_joint_acc_wz,
-      minus_platform_alpha_y = t171 + (platform_turn_yy * minus_limb5_S_joint_acc_wy - platform_turn_xy * limb5_S_joint_acc_wx),
+      minus_platform_alpha_y = t171 + (platform_turn_yy * minus_limb5_S_joint_acc_wy - platform_turn_xy *
+          limb5_S_joint_acc_wx),
       platform_rate_fx = platform_mz * (platform_U_still_xz - minus_platform_alpha_y);
     WRITE(a, 13, -minus_platform_alpha_y);
     const REAL t190 = platform_turn_zy * (platform_moment_y - (t90 + k13 * minus_platform_alpha_y)),
       t167 = platform_turn_zx * minus_limb5_S_joint_acc_wz,
-      minus_platform_alpha_x = t167 + (platform_turn_yx * minus_limb5_S_joint_acc_wy - platform_turn_xx * limb5_S_joint_acc_wx),
+      minus_platform_alpha_x = t167 + (platform_turn_yx * minus_limb5_S_joint_acc_wy - platform_turn_xx *
+          limb5_S_joint_acc_wx),
       platform_rate_fy = platform_mz * (platform_U_still_yz + minus_platform_alpha_x);
     WRITE(a, 12, -minus_platform_alpha_x);
     const REAL t194 = t190 - platform_turn_zx * (minus_platform_moment_x - (t88 - k13 * minus_platform_alpha_x)),
       t175 = platform_turn_zz * minus_limb5_S_joint_acc_wz,
-      minus_platform_alpha_z = t175 + (platform_turn_yz * minus_limb5_S_joint_acc_wy - platform_turn_xz * limb5_S_joint_acc_wx);
+      minus_platform_alpha_z = t175 + (platform_turn_yz * minus_limb5_S_joint_acc_wy - platform_turn_xz *
+          limb5_S_joint_acc_wx);
     WRITE(a, 14, -minus_platform_alpha_z);
     const REAL t195 = platform_turn_zz * (platform_Izz * minus_platform_alpha_z) - t194,
-      t181 = limb1_lower_cos * (limb1_U2_constraint_mn_couple_x - limbs.S_arm_y[0] * limb1_U_factor_0_by_3), /* limb1 */
-      platform_joint_force_mz_by_limb1_U2_mn = limb1_U_0_cos * (t181 - limb1_lower_sin * (limbs.S_arm_x[0] * limb1_U_factor_0_by_3)) + t38;
+      t181 = limb1_lower_cos * (limb1_U2_constraint_mn_couple_x - limbs.S_arm_y[0] * limb1_U_factor_0_by_3),
+          /* limb1 */
+      platform_joint_force_mz_by_limb1_U2_mn = limb1_U_0_cos * (t181 - limb1_lower_sin * (limbs.S_arm_x[0] *
+          limb1_U_factor_0_by_3)) + t38;
     REAL checked3 = platform_joint_force_mz_by_limb1_U2_mn;
     const REAL t186 = 1.0 / platform_joint_force_mz_by_limb1_U2_mn,
       limb1_U_factor_1_by_3 = -minus_limb1_U_factor_1_by_3, minus_limb1_U_factor_0_by_3 = -limb1_U_factor_0_by_3;
-    FIRST_LIMB(0, forward_dynamics_reactions, 1, stride, v, u, a, sine, cosine, minus_limb5_S_joint_acc_wz, minus_limb5_S_joint_acc_wy, limb5_S_joint_acc_wx, t186, limb1_U_factor_1_by_3, minus_limb1_U_factor_0_by_3, &limbs);
+    FIRST_LIMB(0, forward_dynamics_reactions, 1, stride, v, u, a, sine, cosine, minus_limb5_S_joint_acc_wz,
+        minus_limb5_S_joint_acc_wy, limb5_S_joint_acc_wx, t186, limb1_U_factor_1_by_3, minus_limb1_U_factor_0_by_3,
+        &limbs);
     const REAL t196 = t195 - limbs.t20[0];
-    NEXT_LIMB(1, forward_dynamics_reactions, 1, stride, v, u, a, sine, cosine, minus_limb5_S_joint_acc_wz, limb5_S_joint_acc_wx, minus_limb5_S_joint_acc_wy, t186, limb1_U_factor_1_by_3, minus_limb1_U_factor_0_by_3, &limbs);
+    NEXT_LIMB(1, forward_dynamics_reactions, 1, stride, v, u, a, sine, cosine, minus_limb5_S_joint_acc_wz,
+        limb5_S_joint_acc_wx, minus_limb5_S_joint_acc_wy, t186, limb1_U_factor_1_by_3, minus_limb1_U_factor_0_by_3,
+        &limbs);
     const REAL t197 = limbs.t20[1] + t196;
-    NEXT_LIMB(2, forward_dynamics_reactions, 1, stride, v, u, a, sine, cosine, minus_limb5_S_joint_acc_wz, minus_limb5_S_joint_acc_wy, limb5_S_joint_acc_wx, t186, limb1_U_factor_1_by_3, minus_limb1_U_factor_0_by_3, &limbs);
-    NEXT_LIMB(3, forward_dynamics_reactions, 1, stride, v, u, a, sine, cosine, minus_limb5_S_joint_acc_wz, limb5_S_joint_acc_wx, minus_limb5_S_joint_acc_wy, t186, limb1_U_factor_1_by_3, minus_limb1_U_factor_0_by_3, &limbs);
+    NEXT_LIMB(2, forward_dynamics_reactions, 1, stride, v, u, a, sine, cosine, minus_limb5_S_joint_acc_wz,
+        minus_limb5_S_joint_acc_wy, limb5_S_joint_acc_wx, t186, limb1_U_factor_1_by_3, minus_limb1_U_factor_0_by_3,
+        &limbs);
+    NEXT_LIMB(3, forward_dynamics_reactions, 1, stride, v, u, a, sine, cosine, minus_limb5_S_joint_acc_wz,
+        limb5_S_joint_acc_wx, minus_limb5_S_joint_acc_wy, t186, limb1_U_factor_1_by_3, minus_limb1_U_factor_0_by_3,
+        &limbs);
     /* limb1: balance, eqs. (40)-(47) */
     const REAL minus_limb1_U2_part_mn = t186 * (limbs.t20[2] - t197 - limbs.t20[3]),
       t200 = minus_limb1_U_factor_1_by_3 * minus_limb1_U2_part_mn - limbs.S_multiplier_fy[0] - limbs.t19[0],
       minus_limb1_U2_multiplier_fy = limbs.t19[3] - (limbs.t19[2] - (limbs.t19[1] + t200)),
       t203 = limb1_U_factor_0_by_3 * minus_limb1_U2_part_mn,
-      limb1_U2_multiplier_mn = limbs.t23[3] - (limbs.t23[2] + (limbs.t23[0] + minus_limb1_U2_part_mn - limbs.t23[1]));
+      limb1_U2_multiplier_mn = limbs.t23[3] - (limbs.t23[2] + (limbs.t23[0] + minus_limb1_U2_part_mn -
+          limbs.t23[1]));
     /* limb1: reactions, eq. (32); balance, eqs. (40)-(47) */
     const REAL minus_limb1_U2_joint_reaction_mx = limb1_U2_constraint_mn_couple_x * limb1_U2_multiplier_mn,
       minus_limb1_U2_joint_reaction_mz = limb1_U2_constraint_mn_couple_z * limb1_U2_multiplier_mn,
-      limb1_U2_multiplier_fz = limbs.t21[3] - (limbs.t21[2] - (limbs.t21[1] + (limbs.S_multiplier_fz[0] + t203 - limbs.t21[0]))),
+      limb1_U2_multiplier_fz = limbs.t21[3] - (limbs.t21[2] - (limbs.t21[1] + (limbs.S_multiplier_fz[0] + t203 -
+          limbs.t21[0]))),
       minus_limb1_upper_sent_mx = minus_limb1_U2_joint_reaction_mx + limbs.minus_upper_rate_mx[0],
       minus_limb1_lower_sent_mx = limbs.minus_upper_rate_mx[0] + minus_limb1_upper_sent_mx;
-    FIRST_LIMB(0, forward_dynamics_reactions, 2, stride, u, reactions, sine, cosine, minus_limb1_U2_multiplier_fy, limb1_U2_multiplier_fz, minus_limb1_lower_sent_mx, minus_limb1_upper_sent_mx, minus_limb1_U2_joint_reaction_mz + limbs.minus_upper_rate_mz_2[0], &limbs);
+    FIRST_LIMB(0, forward_dynamics_reactions, 2, stride, u, reactions, sine, cosine, minus_limb1_U2_multiplier_fy,
+        limb1_U2_multiplier_fz, minus_limb1_lower_sent_mx, minus_limb1_upper_sent_mx,
+        minus_limb1_U2_joint_reaction_mz + limbs.minus_upper_rate_mz_2[0], &limbs);
     checked0 = checked0 + ALONE(limbs.checked[0]);
     RESULT(checked1, reactions, 15, limbs.S_reaction_my[0] - limb1_lower_sin * minus_limb1_U2_joint_reaction_mx);
     const REAL t214 = limb1_U_0_sin * minus_limb1_U2_joint_reaction_mz,
       t211 = limb1_U_0_cos * minus_limb1_U2_joint_reaction_mz;
-    RESULT(checked2, reactions, 17, limbs.signed_S_reaction_mz[0] - (t214 + limbs.signed_lower_rotation_zx[0] * minus_limb1_U2_joint_reaction_mx));
-    const REAL minus_limb1_U2_reaction_my = t211 - limbs.minus_lower_rotation_yx[0] * minus_limb1_U2_joint_reaction_mx - limbs.S_reaction_mx[0];
+    RESULT(checked2, reactions, 17, limbs.signed_S_reaction_mz[0] - (t214 + limbs.signed_lower_rotation_zx[0] *
+        minus_limb1_U2_joint_reaction_mx));
+    const REAL minus_limb1_U2_reaction_my = t211 - limbs.minus_lower_rotation_yx[0] *
+        minus_limb1_U2_joint_reaction_mx - limbs.S_reaction_mx[0];
     checked3 = checked3 + minus_limb1_U2_reaction_my;
     WRITE(reactions, 16, -minus_limb1_U2_reaction_my);
     /* platform: momentum rate, eq. (35) */
@@ -967,7 +1064,9 @@ BODY(three_ups_upu_s_forward_dynamics_reactions)(size_t stride, const double *re
       t243 = limbs.t25[0] - (platform_turn_zz * minus_platform_rate_fz_2 - t241),
       t227 = limbs.S_reaction_fy[0] + (platform_turn_xz * minus_platform_rate_fz_2 - t225),
       t235 = limbs.t24[0] + (platform_turn_yz * minus_platform_rate_fz_2 - t233);
-    NEXT_LIMB(1, forward_dynamics_reactions, 2, stride, u, reactions, sine, cosine, limbs.S_multiplier_fy[1], limbs.S_multiplier_fz[1], 2.0 * limbs.minus_upper_rate_mx[1], limbs.minus_upper_rate_mx[1], limbs.minus_upper_rate_mz_2[1], &limbs);
+    NEXT_LIMB(1, forward_dynamics_reactions, 2, stride, u, reactions, sine, cosine, limbs.S_multiplier_fy[1],
+        limbs.S_multiplier_fz[1], 2.0 * limbs.minus_upper_rate_mx[1], limbs.minus_upper_rate_mx[1],
+        limbs.minus_upper_rate_mz_2[1], &limbs);
     WRITE(reactions, 34, limbs.S_reaction_my[1]);
     checked0 = checked0 + limbs.S_reaction_my[1];
     WRITE(reactions, 33, limbs.S_reaction_mx[1]);
@@ -976,7 +1075,9 @@ BODY(three_ups_upu_s_forward_dynamics_reactions)(size_t stride, const double *re
     checked3 = checked3 + ALONE(limbs.checked[1]);
     const REAL t244 = t243 - limbs.t25[1], t228 = limbs.t24[1] + t227, t236 = limbs.S_reaction_fy[1] + t235;
     WRITE(reactions, 35, -limbs.signed_S_reaction_mz[1]);
-    NEXT_LIMB(2, forward_dynamics_reactions, 2, stride, u, reactions, sine, cosine, limbs.S_multiplier_fy[2], -limbs.S_multiplier_fz[2], 2.0 * limbs.minus_upper_rate_mx[2], limbs.minus_upper_rate_mx[2], limbs.minus_upper_rate_mz_2[2], &limbs);
+    NEXT_LIMB(2, forward_dynamics_reactions, 2, stride, u, reactions, sine, cosine, limbs.S_multiplier_fy[2],
+        -limbs.S_multiplier_fz[2], 2.0 * limbs.minus_upper_rate_mx[2], limbs.minus_upper_rate_mx[2],
+        limbs.minus_upper_rate_mz_2[2], &limbs);
     WRITE(reactions, 51, limbs.S_reaction_my[2]);
     checked0 = checked0 + limbs.S_reaction_my[2];
     WRITE(reactions, 52, limbs.S_reaction_mx[2]);
@@ -985,7 +1086,9 @@ BODY(three_ups_upu_s_forward_dynamics_reactions)(size_t stride, const double *re
     checked2 = checked2 + limbs.signed_S_reaction_mz[2];
     checked3 = checked3 + ALONE(limbs.checked[2]);
     const REAL t245 = limbs.t25[2] + t244, t229 = limbs.S_reaction_fy[2] + t228, t237 = limbs.t24[2] + t236;
-    NEXT_LIMB(3, forward_dynamics_reactions, 2, stride, u, reactions, sine, cosine, -limbs.S_multiplier_fy[3], limbs.S_multiplier_fz[3], 2.0 * limbs.minus_upper_rate_mx[3], limbs.minus_upper_rate_mx[3], limbs.minus_upper_rate_mz_2[3], &limbs);
+    NEXT_LIMB(3, forward_dynamics_reactions, 2, stride, u, reactions, sine, cosine, -limbs.S_multiplier_fy[3],
+        limbs.S_multiplier_fz[3], 2.0 * limbs.minus_upper_rate_mx[3], limbs.minus_upper_rate_mx[3],
+        limbs.minus_upper_rate_mz_2[3], &limbs);
     WRITE(reactions, 70, limbs.S_reaction_my[3]);
     checked0 = checked0 + limbs.S_reaction_my[3];
     WRITE(reactions, 69, limbs.S_reaction_mx[3]);
@@ -1007,11 +1110,16 @@ BODY(three_ups_upu_s_forward_dynamics_reactions)(size_t stride, const double *re
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
     FINITE_UNLESS4( /* status 1 where a pivot is smaller than its limit: */
-        SMALL4(limbs.minus_U_0_lever_mz_by_S_fz, 6.62327e-06, 6.62327e-06, 6.62327e-06, 6.62327e-06) OR /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
+        SMALL4(limbs.minus_U_0_lever_mz_by_S_fz, 6.62327e-06, 6.62327e-06, 6.62327e-06, 6.62327e-06) OR
+            /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the
+               reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
         SMALL(minus_limb5_S_pivot_wz, 1.0e-05) OR /* where the loops no longer determine limb5_S.wz */
-        SMALL(limb5_S_reduced_inertia_wy_by_limb5_S_wy, 0.0007562600000000001) OR /* where limb5_S.wy feels no inertia */
-        SMALL(pivot_1, 0.0007551200000000001) OR /* where step 1 of symmetric equations loses rank: of drives, inertia or internal loads */
-        SMALL(platform_joint_force_mz_by_limb1_U2_mn, 4.017100000000001e-06), /* where limb1_U2.mn cannot balance platform.moment_z */
+        SMALL(limb5_S_reduced_inertia_wy_by_limb5_S_wy, 0.0007562600000000001) OR
+            /* where limb5_S.wy feels no inertia */
+        SMALL(pivot_1, 0.0007551200000000001) OR
+            /* where step 1 of symmetric equations loses rank: of drives, inertia or internal loads */
+        SMALL(platform_joint_force_mz_by_limb1_U2_mn, 4.017100000000001e-06),
+            /* where limb1_U2.mn cannot balance platform.moment_z */
         (checked0 + checked1) + (checked2 + checked3), limbs.checked);
 }
 #endif
@@ -1065,28 +1173,33 @@ STAGE(forward_dynamics_dense, 0)(size_t limb, size_t stride, const double *restr
       t9 = t8 + each_gravity_z * signed_U_0_sin;
     OWN(signed_lower_omega_y) = U_v_0 * t58;
     const LIMB4 lower_U_still_xy = OWN(signed_lower_omega_x) * OWN(signed_lower_omega_y),
-      P_v = IN_EACH4(READ, v, 2, 3), t7 = P_v * (2.0 * OWN(signed_lower_omega_y)), signed_upper_acc_still_z = t7 - t9,
+      P_v = IN_EACH4(READ, v, 2, 3), t7 = P_v * (2.0 * OWN(signed_lower_omega_y)), signed_upper_acc_still_z = t7 -
+          t9,
       signed_upper_acc_still_z_2 = t8 - t7, signed_upper_rate_my = limb_lower_mx * signed_upper_acc_still_z,
-      t11 = upper_offset_x * (k7 * signed_lower_alpha_still_y + limb_lower_m * signed_upper_acc_still_z) - signed_upper_rate_my,
+      t11 = upper_offset_x * (k7 * signed_lower_alpha_still_y + limb_lower_m * signed_upper_acc_still_z) -
+          signed_upper_rate_my,
       t13 = t58 * (each_gravity_z_limb_lower_mx * signed_U_0_sin + k11 * signed_lower_alpha_still_y - t11);
     OWN(signed_lower_alpha_still_x) = U_v_1 * OWN(signed_lower_omega_y);
     const LIMB4 minus_U_0_moment_z = t13 - signed_lower_sin * (k10 * OWN(signed_lower_alpha_still_x));
     WRITE4(load_, 0, 3, 6, 9, minus_U_0_moment_z);
     checked = checked + minus_U_0_moment_z;
-    const LIMB4 t22 = OWN(signed_lower_omega_y) * OWN(signed_lower_omega_y), t17 = upper_offset_x * lower_U_still_xy,
+    const LIMB4 t22 = OWN(signed_lower_omega_y) * OWN(signed_lower_omega_y), t17 = upper_offset_x *
+        lower_U_still_xy,
       U_0_cos = IN_EACH4(SINES, cosine, 0, 2), signed_U_0_acc_y = each_gravity_z_2 * U_0_cos,
       lower_acc_y = signed_lower_sin * signed_U_0_acc_y, minus_lower_acc_x = t58 * signed_U_0_acc_y,
       t18 = t17 + lower_acc_y, minus_upper_moment_z = limb_lower_mx * lower_acc_y, t16 = P_v * (2.0 * U_v_1),
       upper_acc_still_y = t16 + t18, upper_acc_still_y_2 = t17 + t16,
       minus_upper_rate_mz = limb_lower_mx * upper_acc_still_y,
-      t20 = minus_upper_rate_mz + upper_offset_x * (limb_lower_mx * lower_U_still_xy - limb_lower_m * upper_acc_still_y),
+      t20 = minus_upper_rate_mz + upper_offset_x * (limb_lower_mx * lower_U_still_xy - limb_lower_m *
+          upper_acc_still_y),
       minus_lower_moment_z = t20 - (k8 * lower_U_still_xy + minus_upper_moment_z);
     WRITE4(load_, 1, 4, 7, 10, minus_lower_moment_z);
     checked = checked + minus_lower_moment_z;
     const LIMB4 minus_lower_U_still_xx = t22 + U_v_1 * U_v_1,
       minus_upper_acc_still_x = upper_offset_x * minus_lower_U_still_xx,
       minus_lower_force_x = limb_lower_m * (minus_upper_acc_still_x + minus_lower_acc_x),
-      minus_P_generalised_force = IN_EACH4(READ, u, 0, 1) + (minus_lower_force_x - limb_lower_mx * minus_lower_U_still_xx);
+      minus_P_generalised_force = IN_EACH4(READ, u, 0, 1) + (minus_lower_force_x - limb_lower_mx *
+          minus_lower_U_still_xx);
     WRITE4(load_, 2, 5, 8, 11, minus_P_generalised_force);
     checked = checked + minus_P_generalised_force;
     const LIMB4 base_lever_mx_by_S_fx = param_R * (U_0_cos * t58);
@@ -1102,7 +1215,8 @@ STAGE(forward_dynamics_dense, 0)(size_t limb, size_t stride, const double *restr
     OWN(t3) = platform_turn_yx * base_lever_mx_by_S_fy;
     OWN(t9) = platform_turn_yy * base_lever_mx_by_S_fy;
     OWN(t15) = platform_turn_yz * base_lever_mx_by_S_fy;
-    const LIMB4 signed_base_lever_mz_by_S_fy = signed_U_0_sin * upper_offset_x - param_R * (signed_U_0_sin * signed_lower_sin);
+    const LIMB4 signed_base_lever_mz_by_S_fy = signed_U_0_sin * upper_offset_x - param_R * (signed_U_0_sin *
+        signed_lower_sin);
     OWN(t4) = platform_turn_zx * signed_base_lever_mz_by_S_fy;
     OWN(t10) = platform_turn_zy * signed_base_lever_mz_by_S_fy;
     OWN(t16) = platform_turn_zz * signed_base_lever_mz_by_S_fy;
@@ -1158,7 +1272,8 @@ BODY(three_ups_upu_s_forward_dynamics_dense)(size_t stride, const double *restri
       minus_platform_rate_mx = gravity_z_platform_mz * platform_turn_zy - k12 * (limb5_S_v_wy * limb5_S_v_wz);
     WRITE(load_, 12, minus_platform_rate_mx);
     REAL checked0 = minus_platform_rate_mx;
-    const REAL t16 = limb5_S_q_qx * t10, t28 = limb5_S_q_qw * t10, t18 = limb5_S_q_qw * t17, t27 = limb5_S_q_qx * t17,
+    const REAL t16 = limb5_S_q_qx * t10, t28 = limb5_S_q_qw * t10, t18 = limb5_S_q_qw * t17, t27 = limb5_S_q_qx *
+        t17,
       platform_turn_zx = t16 - t18, platform_turn_xz = t16 + t18, limb5_S_v_wx = READ(v, 12),
       minus_platform_rate_my = k12 * (limb5_S_v_wx * limb5_S_v_wz) - gravity_z_platform_mz * platform_turn_zx;
     WRITE(load_, 13, minus_platform_rate_my);
@@ -1170,7 +1285,10 @@ BODY(three_ups_upu_s_forward_dynamics_dense)(size_t stride, const double *restri
       platform_twist_wz = limb5_S_v_wz * platform_turn_zz + t71,
       t66 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy,
       platform_twist_wx = t66 + limb5_S_v_wz * platform_turn_xz;
-    FIRST_LIMB(0, forward_dynamics_dense, 0, stride, q, v, u, inertia_, load_, closure_, curvature_, sine, cosine, platform_turn_yx, platform_turn_zx, platform_turn_xx, platform_turn_yy, platform_turn_zy, platform_turn_xy, platform_turn_yz, platform_turn_zz, platform_turn_xz, platform_twist_wy, platform_twist_wz, platform_twist_wx, &limbs);
+    FIRST_LIMB(0, forward_dynamics_dense, 0, stride, q, v, u, inertia_, load_, closure_, curvature_, sine, cosine,
+        platform_turn_yx, platform_turn_zx, platform_turn_xx, platform_turn_yy, platform_turn_zy, platform_turn_xy,
+        platform_turn_yz, platform_turn_zz, platform_turn_xz, platform_twist_wy, platform_twist_wz,
+        platform_twist_wx, &limbs);
     REAL checked2 = ALONE(limbs.checked[0]);
     /* mechanism: loop closure */
     const REAL closure_158 = limbs.t5[0] - limbs.t6[0];
@@ -1178,7 +1296,10 @@ BODY(three_ups_upu_s_forward_dynamics_dense)(size_t stride, const double *restri
     REAL checked3 = closure_158;
     RESULT(checked0, closure_, 171, limbs.t11[0] - limbs.t12[0]);
     RESULT(checked1, closure_, 184, limbs.t17[0] - limbs.t18[0]);
-    NEXT_LIMB(1, forward_dynamics_dense, 0, stride, q, v, u, inertia_, load_, closure_, curvature_, sine, cosine, platform_turn_xx, platform_turn_zx, platform_turn_yx, platform_turn_xy, platform_turn_zy, platform_turn_yy, platform_turn_xz, platform_turn_zz, platform_turn_yz, platform_twist_wx, platform_twist_wz, platform_twist_wy, &limbs);
+    NEXT_LIMB(1, forward_dynamics_dense, 0, stride, q, v, u, inertia_, load_, closure_, curvature_, sine, cosine,
+        platform_turn_xx, platform_turn_zx, platform_turn_yx, platform_turn_xy, platform_turn_zy, platform_turn_yy,
+        platform_turn_xz, platform_turn_zz, platform_turn_yz, platform_twist_wx, platform_twist_wz,
+        platform_twist_wy, &limbs);
     checked2 = checked2 + ALONE(limbs.checked[1]);
     RESULT(checked3, closure_, 160, limbs.t2[1] - limbs.t1[1]);
     RESULT(checked0, closure_, 161, limbs.t4[1] - limbs.t3[1]);
@@ -1189,9 +1310,15 @@ BODY(three_ups_upu_s_forward_dynamics_dense)(size_t stride, const double *restri
     RESULT(checked1, closure_, 186, limbs.t14[1] - limbs.t13[1]);
     RESULT(checked2, closure_, 187, limbs.t16[1] - limbs.t15[1]);
     RESULT(checked3, closure_, 188, limbs.t17[1] + limbs.t18[1]);
-    NEXT_LIMB(2, forward_dynamics_dense, 0, stride, q, v, u, inertia_, load_, closure_, curvature_, sine, cosine, platform_turn_yx, platform_turn_zx, platform_turn_xx, platform_turn_yy, platform_turn_zy, platform_turn_xy, platform_turn_yz, platform_turn_zz, platform_turn_xz, platform_twist_wy, platform_twist_wz, platform_twist_wx, &limbs);
+    NEXT_LIMB(2, forward_dynamics_dense, 0, stride, q, v, u, inertia_, load_, closure_, curvature_, sine, cosine,
+        platform_turn_yx, platform_turn_zx, platform_turn_xx, platform_turn_yy, platform_turn_zy, platform_turn_xy,
+        platform_turn_yz, platform_turn_zz, platform_turn_xz, platform_twist_wy, platform_twist_wz,
+        platform_twist_wx, &limbs);
     checked0 = checked0 + ALONE(limbs.checked[2]);
-    NEXT_LIMB(3, forward_dynamics_dense, 0, stride, q, v, u, inertia_, load_, closure_, curvature_, sine, cosine, platform_turn_xx, platform_turn_zx, platform_turn_yx, platform_turn_xy, platform_turn_zy, platform_turn_yy, platform_turn_xz, platform_turn_zz, platform_turn_yz, platform_twist_wx, platform_twist_wz, platform_twist_wy, &limbs);
+    NEXT_LIMB(3, forward_dynamics_dense, 0, stride, q, v, u, inertia_, load_, closure_, curvature_, sine, cosine,
+        platform_turn_xx, platform_turn_zx, platform_turn_yx, platform_turn_xy, platform_turn_zy, platform_turn_yy,
+        platform_turn_xz, platform_turn_zz, platform_turn_yz, platform_twist_wx, platform_twist_wz,
+        platform_twist_wy, &limbs);
     checked1 = checked1 + ALONE(limbs.checked[3]);
     RESULT(checked2, closure_, 165, limbs.t6[2] - limbs.t5[2]);
     RESULT(checked3, closure_, 166, limbs.t2[3] - limbs.t1[3]);
@@ -1218,7 +1345,8 @@ BODY(three_ups_upu_s_forward_dynamics_dense)(size_t stride, const double *restri
     const REAL t84 = t78 - limb1_U2_constraint_mn_couple_z * t82,
       limb1_U2_opening_mn = t85 + limb1_lower_cos * platform_turn_xy,
       t90 = t80 * (limb1_U2_opening_mn * t80 + limb1_U2_constraint_mn_couple_z * t74);
-    RESULT(checked3, curvature_, 3, t84 - (t90 - t72 * (limb1_U2_constraint_mn_couple_x * t74 - limb1_U2_opening_mn * t72)));
+    RESULT(checked3, curvature_, 3, t84 - (t90 - t72 * (limb1_U2_constraint_mn_couple_x * t74 - limb1_U2_opening_mn
+        * t72)));
     const REAL t31 = limbs.t1[0] + limbs.t2[0]; /* mechanism */
     checked0 = checked0 + t31; /* mechanism */
     WRITE(closure_, 156, -t31);
@@ -1355,8 +1483,11 @@ static int three_ups_upu_s_forward_dynamics_dense(const double *restrict q, cons
 static int three_ups_upu_s_forward_dynamics_rank_revealing(const double *restrict q, const double *restrict v,
     const double *restrict u, double *restrict a)
 {
-    static const double rate_scale[15] = {1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327, 1.0, 1.0, 1.0};
-    static const double row_scale[13] = {1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.0, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322};
+    static const double rate_scale[15] = {1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327, 1.0, 1.0,
+        0.662327, 1.0, 1.0, 1.0};
+    static const double row_scale[13] = {1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.0,
+        1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322,
+        1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322};
     double inertia[225], load[15], closure[195], curvature[13];
     double turn[225], work[270], multipliers[13];
     const int failed = three_ups_upu_s_forward_dynamics_dense(q, v, u, inertia, load, closure, curvature);
@@ -1484,16 +1615,19 @@ STAGE(forward_dynamics_reactions_wrenches, 0)(size_t limb, size_t stride, const 
       minus_lower_acc_y = t45 * U_0_acc_y, t4 = t3 - minus_lower_acc_y,
       minus_lower_rate_fy_2 = limb_lower_m * minus_lower_acc_y - lower_rate_fy, lower_acc_x = lower_cos * U_0_acc_y,
       P_v = IN_EACH4(READ, v, 2, 3), upper_acc_y = P_v * (2.0 * U_v_1) + t4,
-      multipliers_1 = OF4(READ(multipliers_, 1), READ(multipliers_, 5), READ(multipliers_, 8), READ(multipliers_, 11));
+      multipliers_1 = OF4(READ(multipliers_, 1), READ(multipliers_, 5), READ(multipliers_, 8), READ(multipliers_,
+          11));
     /* each limb: balance, eqs. (40)-(47); momentum rate, eq. (35); accelerations */
     const LIMB4 upper_sent_fy = limb_lower_m * upper_acc_y - lower_rate_fy - multipliers_1;
     WRITE4(sized_, 7, 25, 43, 61, upper_sent_fy);
     const LIMB4 minus_lower_sent_fy = minus_lower_rate_fy_2 - upper_sent_fy,
       minus_upper_rate_mz = limb_lower_mx * upper_acc_y, t5 = lower_cos * minus_lower_sent_fy,
       t15 = t45 * minus_lower_sent_fy, minus_lower_U_still_xx = lower_omega_y * lower_omega_y + U_v_1 * U_v_1,
-      lower_force_x = limb_lower_m * (IN_EACH4(READ, a, 2, 3) - (upper_offset_x * minus_lower_U_still_xx - lower_acc_x)),
+      lower_force_x = limb_lower_m * (IN_EACH4(READ, a, 2, 3) - (upper_offset_x * minus_lower_U_still_xx -
+          lower_acc_x)),
       minus_lower_rate_fx = limb_lower_mx * minus_lower_U_still_xx,
-      multipliers_0 = OF4(READ(multipliers_, 0), READ(multipliers_, 4), READ(multipliers_, 7), READ(multipliers_, 10)),
+      multipliers_0 = OF4(READ(multipliers_, 0), READ(multipliers_, 4), READ(multipliers_, 7), READ(multipliers_,
+          10)),
       upper_sent_fx = minus_lower_rate_fx + lower_force_x - multipliers_0,
       lower_sent_fx = limb_lower_m * lower_acc_x - minus_lower_rate_fx + upper_sent_fx,
       lower_joint_sent_fy = t45 * lower_sent_fx - t5;
@@ -1509,7 +1643,8 @@ STAGE(forward_dynamics_reactions_wrenches, 0)(size_t limb, size_t stride, const 
       lower_rate_fz = limb_lower_mx * lower_U_zx,
       upper_acc_z = t11 + each_gravity_z * signed_U_0_sin - P_v * (2.0 * lower_omega_y),
       lower_alpha_still_x = U_v_1 * lower_omega_y,
-      upper_sent_fz = limb_lower_m * upper_acc_z - lower_rate_fz - OF4(READ(multipliers_, 2), READ(multipliers_, 6), READ(multipliers_, 9), READ(multipliers_, 12));
+      upper_sent_fz = limb_lower_m * upper_acc_z - lower_rate_fz - OF4(READ(multipliers_, 2), READ(multipliers_, 6),
+          READ(multipliers_, 9), READ(multipliers_, 12));
     WRITE4(sized_, 8, 26, 44, 62, upper_sent_fz);
     OWN(minus_upper_rate_my_2) = (-limb_lower_mx) * upper_acc_z + t25;
     const LIMB4 lower_sent_fz = lower_rate_fz - each_limb_lower_m_gravity_z * signed_U_0_sin + upper_sent_fz;
@@ -1546,7 +1681,8 @@ STAGE(forward_dynamics_reactions_wrenches, 0)(size_t limb, size_t stride, const 
     OWN(t13) = t43 + OWN(minus_upper_position_y) * P_reactions_fx;
     OWN(t10) = t41 - OWN(signed_lower_rotation_zy) * multipliers_1;
     OWN(minus_upper_rate_mz_2) = minus_upper_rate_mz - (k18 * U_a_1 + t37);
-    const LIMB4 t46 = sign3 * OF4(READ(multipliers_, 0), READ(multipliers_, 5), READ(multipliers_, 8), READ(multipliers_, 11));
+    const LIMB4 t46 = sign3 * OF4(READ(multipliers_, 0), READ(multipliers_, 5), READ(multipliers_, 8),
+        READ(multipliers_, 11));
     OWN(t7) = t45 * t46 + lower_cos * IN_EACH4(READ, multipliers_, 1, 3);
     OWN(checked) = checked;
 }
@@ -1666,7 +1802,8 @@ BODY(three_ups_upu_s_forward_dynamics_reactions_wrenches)(size_t stride, const d
       platform_turn_zz = 1.0 - t9 * t48, t12 = limb5_S_q_qz * t9, t13 = limb5_S_q_qy * t12,
       t15 = limb5_S_q_qw * (limb5_S_q_qx * t9), t17 = limb5_S_q_qy * t9, platform_turn_zy = t13 + t15,
       platform_turn_yz = t13 - t15;
-    FIRST_LIMB(0, forward_dynamics_reactions_wrenches, 0, stride, q, v, a, multipliers_, reactions, sized_, sine, cosine, platform_turn_yy, platform_turn_zy, &limbs);
+    FIRST_LIMB(0, forward_dynamics_reactions_wrenches, 0, stride, q, v, a, multipliers_, reactions, sized_, sine,
+        cosine, platform_turn_yy, platform_turn_zy, &limbs);
     WRITE(reactions, 12, -limbs.t7[0]);
     /* limb1: geometry; reactions, eq. (32); balance, eqs. (40)-(47) */
     const REAL limb1_U_0_cos = SINES(cosine, 0), t21 = limb1_U_0_cos * multipliers_2, t22 = t21 - limbs.t3[0];
@@ -1674,7 +1811,8 @@ BODY(three_ups_upu_s_forward_dynamics_reactions_wrenches)(size_t stride, const d
     const REAL limb1_U_0_sin = SINES(sine, 0), t23 = limbs.signed_upper_position_z[0] * t22,
       t99 = -(limbs.upper_position_x[0] * t22), t20 = limb1_U_0_sin * multipliers_2,
       multipliers_3 = READ(multipliers_, 3);
-    FIRST_LIMB(0, forward_dynamics_reactions_wrenches, 1, stride, reactions, sine, cosine, limbs.t2[0], multipliers_3, platform_turn_yy, platform_turn_zy, t20, &limbs);
+    FIRST_LIMB(0, forward_dynamics_reactions_wrenches, 1, stride, reactions, sine, cosine, limbs.t2[0],
+        multipliers_3, platform_turn_yy, platform_turn_zy, t20, &limbs);
     const REAL limb1_lower_sin = SINES(sine, 1);
     RESULT(checked1, reactions, 15, limbs.t14[0] + t23 - limb1_lower_sin * limbs.minus_U2_joint_reaction_mx[0]);
     const REAL limb1_upper_sent_mx = limbs.upper_rate_mx[0] - limbs.minus_U2_joint_reaction_mx[0];
@@ -1684,28 +1822,36 @@ BODY(three_ups_upu_s_forward_dynamics_reactions_wrenches)(size_t stride, const d
       t16 = limbs.t8[0] - limbs.t9[0], /* limb1 */
       t18 = limb5_S_q_qx * t17, t40 = limb5_S_q_qw * t17, t19 = limb5_S_q_qw * t12, t39 = limb5_S_q_qx * t12,
       platform_turn_xy = t18 - t19;
-    FIRST_LIMB(0, forward_dynamics_reactions_wrenches, 2, stride, reactions, sine, cosine, limb1_lower_sent_mx, limb1_upper_sent_mx, t16, platform_turn_xy, multipliers_3, limbs.minus_upper_rate_mz_2[0], &limbs);
+    FIRST_LIMB(0, forward_dynamics_reactions_wrenches, 2, stride, reactions, sine, cosine, limb1_lower_sent_mx,
+        limb1_upper_sent_mx, t16, platform_turn_xy, multipliers_3, limbs.minus_upper_rate_mz_2[0], &limbs);
     const REAL platform_turn_yx = t18 + t19;
     RESULT(checked3, sized_, 3, per_length * limbs.lower_joint_sent_mx[0]);
     RESULT(checked0, sized_, 4, per_length * limbs.lower_joint_sent_my[0]);
-    FIRST_LIMB(0, forward_dynamics_reactions_wrenches, 3, stride, reactions, sine, cosine, limbs.signed_upper_sent_mz[0], limbs.t7[0], t99, &limbs);
+    FIRST_LIMB(0, forward_dynamics_reactions_wrenches, 3, stride, reactions, sine, cosine,
+        limbs.signed_upper_sent_mz[0], limbs.t7[0], t99, &limbs);
     checked1 = checked1 + ALONE(limbs.checked[0]);
     const REAL t27 = limb1_U_0_cos * limbs.minus_U2_joint_reaction_mz[0], /* limb1 */
       t28 = limbs.minus_lower_rotation_yx[0] * limbs.minus_U2_joint_reaction_mx[0] - t27; /* limb1 */
     RESULT(checked2, reactions, 16, t28 - (limbs.signed_upper_position_z[0] * limbs.t7[0] - limbs.t11[0]));
-    NEXT_LIMB(1, forward_dynamics_reactions_wrenches, 0, stride, q, v, a, multipliers_, reactions, sized_, sine, cosine, multipliers_6, multipliers_6, &limbs);
+    NEXT_LIMB(1, forward_dynamics_reactions_wrenches, 0, stride, q, v, a, multipliers_, reactions, sized_, sine,
+        cosine, multipliers_6, multipliers_6, &limbs);
     RESULT(checked3, sized_, 27, per_length * limbs.upper_rate_mx[1]);
-    NEXT_LIMB(1, forward_dynamics_reactions_wrenches, 1, stride, reactions, sine, cosine, limbs.t3[1], limbs.signed_upper_position_z[1], limbs.t7[1], limbs.t7[1], limbs.t2[1], &limbs);
+    NEXT_LIMB(1, forward_dynamics_reactions_wrenches, 1, stride, reactions, sine, cosine, limbs.t3[1],
+        limbs.signed_upper_position_z[1], limbs.t7[1], limbs.t7[1], limbs.t2[1], &limbs);
     RESULT(checked0, reactions, 34, limbs.minus_U2_joint_reaction_mx[1] + limbs.t14[1]);
     WRITE(reactions, 30, -limbs.U2_constraint_mn_couple_x[1]);
-    NEXT_LIMB(2, forward_dynamics_reactions_wrenches, 0, stride, q, v, a, multipliers_, reactions, sized_, sine, cosine, multipliers_9, multipliers_9, &limbs);
+    NEXT_LIMB(2, forward_dynamics_reactions_wrenches, 0, stride, q, v, a, multipliers_, reactions, sized_, sine,
+        cosine, multipliers_9, multipliers_9, &limbs);
     RESULT(checked1, sized_, 45, per_length * limbs.upper_rate_mx[2]);
-    NEXT_LIMB(2, forward_dynamics_reactions_wrenches, 1, stride, reactions, sine, cosine, limbs.t3[2], limbs.signed_upper_position_z[2], limbs.t7[2], limbs.t7[2], limbs.t2[2], &limbs);
+    NEXT_LIMB(2, forward_dynamics_reactions_wrenches, 1, stride, reactions, sine, cosine, limbs.t3[2],
+        limbs.signed_upper_position_z[2], limbs.t7[2], limbs.t7[2], limbs.t2[2], &limbs);
     RESULT(checked2, reactions, 51, limbs.t14[2] + limbs.minus_U2_joint_reaction_mx[2]);
     WRITE(reactions, 49, -limbs.U2_constraint_mn_couple_x[2]);
-    NEXT_LIMB(3, forward_dynamics_reactions_wrenches, 0, stride, q, v, a, multipliers_, reactions, sized_, sine, cosine, multipliers_12, multipliers_12, &limbs);
+    NEXT_LIMB(3, forward_dynamics_reactions_wrenches, 0, stride, q, v, a, multipliers_, reactions, sized_, sine,
+        cosine, multipliers_12, multipliers_12, &limbs);
     RESULT(checked3, sized_, 63, per_length * limbs.upper_rate_mx[3]);
-    NEXT_LIMB(3, forward_dynamics_reactions_wrenches, 1, stride, reactions, sine, cosine, limbs.t3[3], limbs.signed_upper_position_z[3], limbs.t7[3], limbs.t7[3], limbs.t2[3], &limbs);
+    NEXT_LIMB(3, forward_dynamics_reactions_wrenches, 1, stride, reactions, sine, cosine, limbs.t3[3],
+        limbs.signed_upper_position_z[3], limbs.t7[3], limbs.t7[3], limbs.t2[3], &limbs);
     RESULT(checked0, reactions, 70, limbs.minus_U2_joint_reaction_mx[3] + limbs.t14[3]);
     WRITE(reactions, 66, -limbs.U2_constraint_mn_couple_x[3]);
     const REAL platform_turn_zx = t39 - t40, limb5_S_v_wx = READ(v, 12), limb5_S_v_wz = READ(v, 14),
@@ -1723,7 +1869,9 @@ BODY(three_ups_upu_s_forward_dynamics_reactions_wrenches)(size_t stride, const d
       t62 = t60 - platform_turn_yz * minus_platform_rate_fz_2,
       t76 = t74 - platform_turn_zz * minus_platform_rate_fz_2,
       t55 = t45 - platform_turn_xz * minus_platform_rate_fz_2 + limbs.t7[0] + (limbs.t1[1] - limbs.t8[1]);
-    NEXT_LIMB(2, forward_dynamics_reactions_wrenches, 2, stride, reactions, sine, cosine, 2.0 * limbs.upper_rate_mx[2], limbs.upper_rate_mx[2], multipliers_8, multipliers_7, limbs.signed_upper_position_z[2], limbs.t11[2], &limbs);
+    NEXT_LIMB(2, forward_dynamics_reactions_wrenches, 2, stride, reactions, sine, cosine, 2.0 *
+        limbs.upper_rate_mx[2], limbs.upper_rate_mx[2], multipliers_8, multipliers_7,
+        limbs.signed_upper_position_z[2], limbs.t11[2], &limbs);
     WRITE(reactions, 48, limbs.U2_constraint_mn_couple_z[2]);
     WRITE(reactions, 52, limbs.signed_upper_sent_mz[2]);
     checked1 = checked1 + limbs.signed_upper_sent_mz[2];
@@ -1737,7 +1885,9 @@ BODY(three_ups_upu_s_forward_dynamics_reactions_wrenches)(size_t stride, const d
     const REAL limb1_lower_cos = SINES(cosine, 1),
       t65 = limb1_lower_cos * multipliers_0 - limb1_lower_sin * multipliers_1,
       t68 = t62 + (t21 - limb1_U_0_sin * t65), t79 = t76 + (t20 + limb1_U_0_cos * t65);
-    NEXT_LIMB(1, forward_dynamics_reactions_wrenches, 2, stride, reactions, sine, cosine, 2.0 * limbs.upper_rate_mx[1], limbs.upper_rate_mx[1], multipliers_5, multipliers_4, limbs.signed_upper_position_z[1], -limbs.t11[1], &limbs);
+    NEXT_LIMB(1, forward_dynamics_reactions_wrenches, 2, stride, reactions, sine, cosine, 2.0 *
+        limbs.upper_rate_mx[1], limbs.upper_rate_mx[1], multipliers_5, multipliers_4,
+        limbs.signed_upper_position_z[1], -limbs.t11[1], &limbs);
     WRITE(reactions, 31, limbs.U2_constraint_mn_couple_z[1]);
     WRITE(reactions, 33, limbs.signed_upper_sent_mz[1]);
     checked1 = checked1 + limbs.signed_upper_sent_mz[1];
@@ -1745,7 +1895,9 @@ BODY(three_ups_upu_s_forward_dynamics_reactions_wrenches)(size_t stride, const d
     RESULT(checked2, sized_, 21, per_length * limbs.lower_joint_sent_mx[1]);
     RESULT(checked3, sized_, 22, per_length * limbs.lower_joint_sent_my[1]);
     const REAL t71 = t69 + (limbs.t1[2] - limbs.t8[2]);
-    NEXT_LIMB(3, forward_dynamics_reactions_wrenches, 2, stride, reactions, sine, cosine, 2.0 * limbs.upper_rate_mx[3], limbs.upper_rate_mx[3], multipliers_11, multipliers_10, limbs.signed_upper_position_z[3], limbs.t11[3], &limbs);
+    NEXT_LIMB(3, forward_dynamics_reactions_wrenches, 2, stride, reactions, sine, cosine, 2.0 *
+        limbs.upper_rate_mx[3], limbs.upper_rate_mx[3], multipliers_11, multipliers_10,
+        limbs.signed_upper_position_z[3], limbs.t11[3], &limbs);
     WRITE(reactions, 67, limbs.U2_constraint_mn_couple_z[3]);
     WRITE(reactions, 69, limbs.signed_upper_sent_mz[3]);
     checked0 = checked0 + limbs.signed_upper_sent_mz[3];
@@ -1757,7 +1909,9 @@ BODY(three_ups_upu_s_forward_dynamics_reactions_wrenches)(size_t stride, const d
     RESULT(checked3, sized_, 58, per_length * limbs.lower_joint_sent_my[3]); /* limb4 */
     const REAL t100 = -(limbs.upper_position_x[1] * limbs.U2_constraint_mn_couple_x[1]),
       t83 = t79 - (limbs.t2[1] + limbs.t9[1]) + (limbs.t2[2] + limbs.t9[2]);
-    NEXT_LIMB(2, forward_dynamics_reactions_wrenches, 3, stride, reactions, sine, cosine, limbs.minus_upper_rate_mz_2[2], limbs.U2_constraint_mn_couple_z[2], limbs.upper_position_x[2] * limbs.U2_constraint_mn_couple_x[2], &limbs);
+    NEXT_LIMB(2, forward_dynamics_reactions_wrenches, 3, stride, reactions, sine, cosine,
+        limbs.minus_upper_rate_mz_2[2], limbs.U2_constraint_mn_couple_z[2], limbs.upper_position_x[2] *
+        limbs.U2_constraint_mn_couple_x[2], &limbs);
     WRITE(reactions, 53, limbs.signed_S_reactions_mz[2]);
     checked0 = checked0 + limbs.signed_S_reactions_mz[2];
     checked1 = checked1 + ALONE(limbs.checked[2]);
@@ -1765,17 +1919,21 @@ BODY(three_ups_upu_s_forward_dynamics_reactions_wrenches)(size_t stride, const d
     WRITE(reactions, 74, platform_joint_sent_fz);
     WRITE(sized_, 74, platform_joint_sent_fz);
     checked2 = checked2 + platform_joint_sent_fz;
-    NEXT_LIMB(3, forward_dynamics_reactions_wrenches, 3, stride, reactions, sine, cosine, limbs.minus_upper_rate_mz_2[3], limbs.U2_constraint_mn_couple_z[3], limbs.upper_position_x[3] * limbs.U2_constraint_mn_couple_x[3], &limbs);
+    NEXT_LIMB(3, forward_dynamics_reactions_wrenches, 3, stride, reactions, sine, cosine,
+        limbs.minus_upper_rate_mz_2[3], limbs.U2_constraint_mn_couple_z[3], limbs.upper_position_x[3] *
+        limbs.U2_constraint_mn_couple_x[3], &limbs);
     checked3 = checked3 + limbs.signed_S_reactions_mz[3];
     checked0 = checked0 + ALONE(limbs.checked[3]);
     WRITE(reactions, 71, -limbs.signed_S_reactions_mz[3]);
-    NEXT_LIMB(1, forward_dynamics_reactions_wrenches, 3, stride, reactions, sine, cosine, limbs.minus_upper_rate_mz_2[1], -limbs.U2_constraint_mn_couple_z[1], t100, &limbs);
+    NEXT_LIMB(1, forward_dynamics_reactions_wrenches, 3, stride, reactions, sine, cosine,
+        limbs.minus_upper_rate_mz_2[1], -limbs.U2_constraint_mn_couple_z[1], t100, &limbs);
     WRITE(reactions, 35, limbs.signed_S_reactions_mz[1]);
     checked1 = checked1 + limbs.signed_S_reactions_mz[1];
     checked2 = checked2 + ALONE(limbs.checked[1]);
     /* limb1: reactions, eq. (32) */
     const REAL t36 = limb1_U_0_sin * limbs.minus_U2_joint_reaction_mz[0],
-      minus_limb1_U2_reactions_mz = limbs.signed_S_reactions_mz[0] + (limbs.signed_lower_rotation_zx[0] * limbs.minus_U2_joint_reaction_mx[0] + t36);
+      minus_limb1_U2_reactions_mz = limbs.signed_S_reactions_mz[0] + (limbs.signed_lower_rotation_zx[0] *
+          limbs.minus_U2_joint_reaction_mx[0] + t36);
     checked3 = checked3 + minus_limb1_U2_reactions_mz;
     WRITE(reactions, 17, -minus_limb1_U2_reactions_mz);
     /* limb1: results */
@@ -1857,8 +2015,11 @@ static int three_ups_upu_s_forward_dynamics_reactions_wrenches(const double *res
 static int three_ups_upu_s_forward_dynamics_reactions_rank_revealing(const double *restrict q,
     const double *restrict v, const double *restrict u, double *restrict a, double *restrict reactions)
 {
-    static const double rate_scale[15] = {1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327, 1.0, 1.0, 1.0};
-    static const double row_scale[13] = {1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.0, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322};
+    static const double rate_scale[15] = {1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327, 1.0, 1.0,
+        0.662327, 1.0, 1.0, 1.0};
+    static const double row_scale[13] = {1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.0,
+        1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322,
+        1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322};
     double inertia[225], load[15], closure[195], curvature[13];
     double turn[225], work[270], multipliers[13];
     const int failed = three_ups_upu_s_forward_dynamics_dense(q, v, u, inertia, load, closure, curvature);

@@ -34,8 +34,10 @@ STAGE(inverse_dynamics, 0)(size_t limb, size_t stride, const double *restrict q,
       lower_U_still_xy = signed_lower_omega_x * signed_lower_omega_y, P_v = IN_EACH4(READ, v, 2, 3),
       signed_upper_acc_z = P_v * (2.0 * signed_lower_omega_y) - t6,
       t7 = upper_offset_x * (limb_lower_m * signed_upper_acc_z + signed_lower_rate_fz),
-      signed_lower_moment_y = limb_lower_mx * signed_upper_acc_z - t7 + (each_gravity_z_limb_lower_mx * signed_U_0_sin + t11),
-      lower_joint_force_my = signed_lower_sin * (k10 * (U_v_1 * signed_lower_omega_y)) - t38 * signed_lower_moment_y,
+      signed_lower_moment_y = limb_lower_mx * signed_upper_acc_z - t7 + (each_gravity_z_limb_lower_mx *
+          signed_U_0_sin + t11),
+      lower_joint_force_my = signed_lower_sin * (k10 * (U_v_1 * signed_lower_omega_y)) - t38 *
+          signed_lower_moment_y,
       t19 = signed_lower_omega_y * signed_lower_omega_y, U_0_moment_z = lower_joint_force_my + k3 * U_a_0;
     OWN(signed_U_0_lever_mz_by_S_fz) = t38 * upper_offset_x;
     LIMB4 checked = OWN(signed_U_0_lever_mz_by_S_fz);
@@ -58,7 +60,8 @@ STAGE(inverse_dynamics, 0)(size_t limb, size_t stride, const double *restrict q,
       t27 = limb_lower_mx * upper_acc_y - upper_offset_x * (limb_lower_m * upper_acc_y - lower_rate_fy),
       t31 = OWN(S_arm_x) * ((t27 + (upper_moment_z - (t28 + k9 * U_a_1))) * OWN(t2)),
       minus_lower_U_still_xx = t19 + U_v_1 * U_v_1,
-      lower_force_x = limb_lower_m * (IN_EACH4(READ, a, 2, 3) - (upper_offset_x * minus_lower_U_still_xx - lower_acc_x)),
+      lower_force_x = limb_lower_m * (IN_EACH4(READ, a, 2, 3) - (upper_offset_x * minus_lower_U_still_xx -
+          lower_acc_x)),
       t32 = OWN(minus_S_arm_y) * (limb_lower_mx * minus_lower_U_still_xx + lower_force_x) - t31;
     OWN(t5) = t34 - U_0_cos * t32;
     OWN(t4) = t18 + signed_U_0_sin * t32;
@@ -119,25 +122,33 @@ BODY(three_ups_upu_s_inverse_dynamics)(size_t stride, const double *restrict q, 
       t24 = limb1_U_0_sin * t23,
       t28 = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy);
     /* limb5_S: geometry; balance, eqs. (40)-(47); drives */
-    const REAL t30 = limb5_S_q_qx * t29, t44 = limb5_S_q_qw * t29, t31 = limb5_S_q_qw * t13, t43 = limb5_S_q_qx * t13,
+    const REAL t30 = limb5_S_q_qx * t29, t44 = limb5_S_q_qw * t29, t31 = limb5_S_q_qw * t13, t43 = limb5_S_q_qx *
+        t13,
       platform_turn_xy = t30 - t31, platform_turn_yx = t30 + t31,
       limb1_U2_constraint_mn_couple_z = t28 - limb1_lower_sin * platform_turn_xy,
-      minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limbs.S_arm_x[0] * (limb1_U2_constraint_mn_couple_z * limbs.t2[0]),
+      minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limbs.S_arm_x[0] *
+          (limb1_U2_constraint_mn_couple_z * limbs.t2[0]),
       platform_joint_force_mz_by_limb1_U2_mn = t36 + limb1_U_0_sin * minus_limb1_U2_factor_0_by_3;
     REAL checked0 = platform_joint_force_mz_by_limb1_U2_mn;
     const REAL t38 = 1.0 / platform_joint_force_mz_by_limb1_U2_mn,
       t35 = t24 - limb1_U_0_cos * minus_limb1_U2_factor_0_by_3;
-    const EACH4 platform_joint_force_mx_by_limb1_U2_mn_2 = {t35, platform_joint_force_mx_by_limb1_U2_mn, t35, platform_joint_force_mx_by_limb1_U2_mn},
-      platform_joint_force_mx_by_U2_mn = {platform_joint_force_mx_by_limb1_U2_mn, t35, platform_joint_force_mx_by_limb1_U2_mn, t35};
+    const EACH4 platform_joint_force_mx_by_limb1_U2_mn_2 = {t35, platform_joint_force_mx_by_limb1_U2_mn, t35,
+        platform_joint_force_mx_by_limb1_U2_mn},
+      platform_joint_force_mx_by_U2_mn = {platform_joint_force_mx_by_limb1_U2_mn, t35,
+          platform_joint_force_mx_by_limb1_U2_mn, t35};
     NEXT_LIMB(1, inverse_dynamics, 0, stride, q, v, a, sine, cosine, &limbs);
-    FIRST_LIMB(1, inverse_dynamics, 1, stride, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn_2, platform_joint_force_mx_by_U2_mn, &limbs);
-    NEXT_LIMB(0, inverse_dynamics, 1, stride, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn_2, platform_joint_force_mx_by_U2_mn, &limbs);
+    FIRST_LIMB(1, inverse_dynamics, 1, stride, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn_2,
+        platform_joint_force_mx_by_U2_mn, &limbs);
+    NEXT_LIMB(0, inverse_dynamics, 1, stride, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn_2,
+        platform_joint_force_mx_by_U2_mn, &limbs);
     const REAL t41 = limbs.t3[1] + limbs.t3[0];
     NEXT_LIMB(2, inverse_dynamics, 0, stride, q, v, a, sine, cosine, &limbs);
-    NEXT_LIMB(2, inverse_dynamics, 1, stride, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn_2, platform_joint_force_mx_by_U2_mn, &limbs);
+    NEXT_LIMB(2, inverse_dynamics, 1, stride, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn_2,
+        platform_joint_force_mx_by_U2_mn, &limbs);
     const REAL t42 = limbs.t3[2] + t41;
     NEXT_LIMB(3, inverse_dynamics, 0, stride, q, v, a, sine, cosine, &limbs);
-    NEXT_LIMB(3, inverse_dynamics, 1, stride, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn_2, platform_joint_force_mx_by_U2_mn, &limbs);
+    NEXT_LIMB(3, inverse_dynamics, 1, stride, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn_2,
+        platform_joint_force_mx_by_U2_mn, &limbs);
     const REAL minus_drives_share_0_1 = limbs.t3[3] + t42, t85 = minus_drives_share_0_1 * minus_drives_share_0_1,
       drives_share_1_1 = limbs.t8[3] + (limbs.t7[2] + (limbs.t8[1] + limbs.t7[0])),
       drives_share_0_0 = limbs.t7[3] + (limbs.t8[2] + (limbs.t7[1] + limbs.t8[0])),
@@ -153,11 +164,13 @@ BODY(three_ups_upu_s_inverse_dynamics)(size_t stride, const double *restrict q, 
       platform_rate_my = platform_moment_y - (k12 * (READ(v, 12) * limb5_S_v_wz) - k13 * READ(a, 13)),
       t53 = t48 - platform_turn_zy * platform_rate_my, t65 = t63 - platform_turn_xy * platform_rate_my,
       t77 = t75 - platform_turn_yy * platform_rate_my, platform_rate_mz = platform_Izz * READ(a, 14),
-      minus_platform_joint_force_mz = limbs.t4[3] - (limbs.t4[2] - (limbs.t4[1] + (t53 - platform_turn_zz * platform_rate_mz - limbs.t4[0]))),
+      minus_platform_joint_force_mz = limbs.t4[3] - (limbs.t4[2] - (limbs.t4[1] + (t53 - platform_turn_zz *
+          platform_rate_mz - limbs.t4[0]))),
       limb1_U2_part_mn = t38 * minus_platform_joint_force_mz,
       t61 = platform_joint_force_mx_by_limb1_U2_mn * limb1_U2_part_mn, t74 = t35 * limb1_U2_part_mn,
       t79 = t77 - platform_turn_yz * platform_rate_mz,
-      minus_platform_joint_force_mx = limbs.t5[3] + (t65 - platform_turn_xz * platform_rate_mz - limbs.t6[0] + limbs.t5[1] - limbs.t6[2]),
+      minus_platform_joint_force_mx = limbs.t5[3] + (t65 - platform_turn_xz * platform_rate_mz - limbs.t6[0] +
+          limbs.t5[1] - limbs.t6[2]),
       limb5_S_balance_wx = t61 - minus_platform_joint_force_mx,
       minus_limb5_S_balance_wy = t74 + (limbs.t5[2] - (limbs.t6[1] - (t79 + limbs.t5[0])) - limbs.t6[3]),
       t93 = minus_drives_share_0_1 * minus_limb5_S_balance_wy - drives_share_1_1 * limb5_S_balance_wx,
@@ -176,9 +189,13 @@ BODY(three_ups_upu_s_inverse_dynamics)(size_t stride, const double *restrict q, 
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
     FINITE_UNLESS4( /* status 1 where a pivot is smaller than its limit: */
-        SMALL4(limbs.signed_U_0_lever_mz_by_S_fz, 6.233100000000001e-10, 6.3211e-10, 6.4044e-10, 6.284e-10) OR /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
-        SMALL(platform_joint_force_mz_by_limb1_U2_mn, 4.0171000000000005e-10) OR /* where limb1_U2.mn cannot balance platform.moment_z */
-        SMALL(minus_determinant, 2.393867125597279e-10), /* where equations that are solved at once lose rank, as drives do at a singularity */
+        SMALL4(limbs.signed_U_0_lever_mz_by_S_fz, 6.233100000000001e-10, 6.3211e-10, 6.4044e-10, 6.284e-10) OR
+            /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the
+               reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
+        SMALL(platform_joint_force_mz_by_limb1_U2_mn, 4.0171000000000005e-10) OR
+            /* where limb1_U2.mn cannot balance platform.moment_z */
+        SMALL(minus_determinant, 2.393867125597279e-10),
+            /* where equations that are solved at once lose rank, as drives do at a singularity */
         (checked0 + checked1) + (checked2 + checked3), limbs.checked);
 }
 #endif
@@ -238,7 +255,8 @@ STAGE(inverse_dynamics_independent, 1)(size_t limb, size_t stride, const double 
     /* each limb: accelerations; velocities, eq. (6) */
     const LIMB4 t6 = signed_lower_sin * OWN(signed_U_joint_rate_1), lower_cos = IN_EACH4(SINES, cosine, 1, 2),
       t39 = param_R * t6, t8 = sign1 * (lower_cos * t43) - sign1 * (OWN(upper_offset_x) * t6),
-      t20 = OWN(signed_upper_position_x) * (U_0_cos * limb5_S_joint_rate_wz - signed_U_0_sin * GIVEN(signed_limb5_S_joint_rate_wy)),
+      t20 = OWN(signed_upper_position_x) * (U_0_cos * limb5_S_joint_rate_wz - signed_U_0_sin *
+          GIVEN(signed_limb5_S_joint_rate_wy)),
       signed_U_joint_rate_0 = GIVEN(signed_limb5_S_joint_rate_wx) + sign2 * (OWN(t1) * t20);
     OWN(signed_lower_omega_x) = signed_lower_sin * signed_U_joint_rate_0;
     const LIMB4 t22 = t8 * signed_U_joint_rate_0, t9 = t8 * GIVEN(given_2);
@@ -273,7 +291,8 @@ STAGE(inverse_dynamics_independent, 2)(size_t limb, size_t stride, const double 
     /* each limb: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47) */
     OWN(signed_U_0_acc_x) = gravity_z * signed_U_0_sin;
     OWN(minus_lower_rate_fx) = limb_lower_mx * OWN(minus_lower_U_still_xx);
-    const LIMB4 t3 = OWN(t8) - OWN(signed_upper_position_x) * (IN_EACH4(SINES, cosine, 0, 2) * limb5_S_joint_acc_still_wz);
+    const LIMB4 t3 = OWN(t8) - OWN(signed_upper_position_x) * (IN_EACH4(SINES, cosine, 0, 2) *
+        limb5_S_joint_acc_still_wz);
     OWN(U_joint_acc_still_0) = OWN(t1) * t3;
     OWN(signed_lower_alpha_still_y) = OWN(signed_U_joint_rate_1) * OWN(signed_lower_omega_x);
     OWN(t10) = k9 * OWN(signed_lower_alpha_still_y);
@@ -299,7 +318,8 @@ STAGE(inverse_dynamics_independent, 3)(size_t limb, size_t stride, const double 
       U_0_cos = IN_EACH4(SINES, cosine, 0, 2);
     /* each limb: accelerations; momentum rate, eq. (35) */
     const LIMB4 t21 = U_0_cos * t40,
-      t6 = GIVEN(limb5_S_joint_acc_wx) - OWN(t1) * (OWN(signed_upper_position_x) * (U_0_cos * given - signed_U_0_sin * t40)),
+      t6 = GIVEN(limb5_S_joint_acc_wx) - OWN(t1) * (OWN(signed_upper_position_x) * (U_0_cos * given - signed_U_0_sin
+          * t40)),
       U_joint_acc_0 = t6 + OWN(U_joint_acc_still_0), lower_cos = IN_EACH4(SINES, cosine, 1, 2),
       signed_lower_alpha_y = OWN(signed_lower_alpha_still_y) + sign1 * (lower_cos * U_joint_acc_0),
       signed_U_0_rate_mz = each_k3 * U_joint_acc_0,
@@ -308,14 +328,16 @@ STAGE(inverse_dynamics_independent, 3)(size_t limb, size_t stride, const double 
       signed_upper_acc_z = OWN(signed_U_0_acc_x) - OWN(upper_offset_x) * signed_lower_U_zx + OWN(t11);
     /* each limb: balance, eqs. (40)-(47); accelerations; momentum rate, eq. (35) */
     const LIMB4 t11 = OWN(upper_offset_x) * (limb_lower_mx * signed_lower_U_zx + limb_lower_m * signed_upper_acc_z),
-      signed_U_0_moment_z = signed_U_0_rate_mz + (lower_cos * (signed_lower_rate_my + (t11 - limb_lower_mx * signed_upper_acc_z)) + OWN(t12)),
+      signed_U_0_moment_z = signed_U_0_rate_mz + (lower_cos * (signed_lower_rate_my + (t11 - limb_lower_mx *
+          signed_upper_acc_z)) + OWN(t12)),
       signed_S_multiplier_fz = OWN(t1) * signed_U_0_moment_z, t14 = OWN(S_arm_x) * signed_S_multiplier_fz,
       t16 = OWN(signed_S_arm_y) * signed_S_multiplier_fz, signed_lower_sin = IN_EACH4(SINES, sine, 1, 2),
       t15 = signed_lower_sin * t14;
     OWN(t19) = lower_cos * t14 + signed_lower_sin * t16;
     const LIMB4 t42 = sign2 * (t15 - lower_cos * t16), t36 = signed_U_0_sin * t42, t19 = U_0_cos * t42,
       t22 = signed_U_0_sin * given + t21, signed_U_joint_acc_1 = OWN(t2) * (OWN(S_arm_x) * t22 + OWN(t15)),
-      minus_upper_acc_x = OWN(minus_upper_acc_still_x) - sign3 * (OWN(signed_S_arm_y) * t22 + OWN(signed_P_joint_acc_still)),
+      minus_upper_acc_x = OWN(minus_upper_acc_still_x) - sign3 * (OWN(signed_S_arm_y) * t22 +
+          OWN(signed_P_joint_acc_still)),
       t24 = OWN(signed_S_arm_y) * (OWN(minus_lower_rate_fx) - limb_lower_m * minus_upper_acc_x),
       signed_lower_U_yx = OWN(signed_lower_U_still_xy) + signed_U_joint_acc_1,
       signed_lower_rate_mz = OWN(signed_upper_moment_z) + (OWN(t14) + k9 * signed_U_joint_acc_1),
@@ -390,9 +412,11 @@ BODY(three_ups_upu_s_inverse_dynamics_independent)(size_t stride, const double *
       platform_omega_y = t88 + (t89 - platform_turn_xy * minus_limb5_S_joint_rate_wx),
       t92 = platform_turn_xy * platform_omega_y, platform_turn_zx = t79 - t80, platform_turn_xz = t79 + t80,
       t94 = platform_turn_zx * limb5_S_joint_rate_wz,
-      platform_omega_x = t94 + (platform_turn_yx * limb5_S_joint_rate_wy - platform_turn_xx * minus_limb5_S_joint_rate_wx),
+      platform_omega_x = t94 + (platform_turn_yx * limb5_S_joint_rate_wy - platform_turn_xx *
+          minus_limb5_S_joint_rate_wx),
       t99 = t92 + platform_turn_xx * platform_omega_x, t83 = platform_turn_zz * limb5_S_joint_rate_wz,
-      platform_omega_z = t83 + (platform_turn_yz * limb5_S_joint_rate_wy - platform_turn_xz * minus_limb5_S_joint_rate_wx),
+      platform_omega_z = t83 + (platform_turn_yz * limb5_S_joint_rate_wy - platform_turn_xz *
+          minus_limb5_S_joint_rate_wx),
       t100 = platform_turn_xz * platform_omega_z + t99,
       t104 = platform_turn_yy * platform_omega_y + platform_turn_yx * platform_omega_x,
       t105 = platform_turn_yz * platform_omega_z + t104;
@@ -401,9 +425,12 @@ BODY(three_ups_upu_s_inverse_dynamics_independent)(size_t stride, const double *
       t109 = platform_turn_zy * platform_omega_y + platform_turn_zx * platform_omega_x,
       platform_U_still_xz = platform_omega_z * platform_omega_x, t110 = platform_turn_zz * platform_omega_z + t109,
       t202 = k12 * platform_U_still_xz;
-    const EACH4 signed_limb5_S_joint_rate_wy = {limb5_S_joint_rate_wy, minus_limb5_S_joint_rate_wx, limb5_S_joint_rate_wy, minus_limb5_S_joint_rate_wx},
-      signed_limb5_S_joint_rate_wx = {minus_limb5_S_joint_rate_wx, limb5_S_joint_rate_wy, minus_limb5_S_joint_rate_wx, limb5_S_joint_rate_wy};
-    const REAL t19 = limb1_U2_constraint_mn_couple_x - limbs.signed_S_arm_y[0] * minus_limb1_U_factor_0_by_3, /* limb1 */
+    const EACH4 signed_limb5_S_joint_rate_wy = {limb5_S_joint_rate_wy, minus_limb5_S_joint_rate_wx,
+        limb5_S_joint_rate_wy, minus_limb5_S_joint_rate_wx},
+      signed_limb5_S_joint_rate_wx = {minus_limb5_S_joint_rate_wx, limb5_S_joint_rate_wy,
+          minus_limb5_S_joint_rate_wx, limb5_S_joint_rate_wy};
+    const REAL t19 = limb1_U2_constraint_mn_couple_x - limbs.signed_S_arm_y[0] * minus_limb1_U_factor_0_by_3,
+        /* limb1 */
       t20 = limb1_lower_cos * t19, /* limb1 */
       t39 = limb1_lower_sin * t19, /* limb1 */
       t21 = limbs.S_arm_x[0] * minus_limb1_U_factor_0_by_3, /* limb1 */
@@ -412,17 +439,23 @@ BODY(three_ups_upu_s_inverse_dynamics_independent)(size_t stride, const double *
       platform_joint_force_mz_by_limb1_U2_mn = limb1_U_0_cos * t23 + t37;
     REAL checked2 = platform_joint_force_mz_by_limb1_U2_mn;
     const REAL t38 = 1.0 / platform_joint_force_mz_by_limb1_U2_mn, t35 = limb1_U_0_sin * t23 - t34;
-    const EACH4 platform_joint_force_mx_by_limb1_U2_mn_2 = {t35, platform_joint_force_mx_by_limb1_U2_mn, t35, platform_joint_force_mx_by_limb1_U2_mn},
-      platform_joint_force_mx_by_U2_mn = {platform_joint_force_mx_by_limb1_U2_mn, t35, platform_joint_force_mx_by_limb1_U2_mn, t35};
-    FIRST_LIMB(0, inverse_dynamics_independent, 1, stride, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn_2, platform_joint_force_mx_by_U2_mn, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, given_2, t110, given_4, signed_limb5_S_joint_rate_wx, &limbs);
+    const EACH4 platform_joint_force_mx_by_limb1_U2_mn_2 = {t35, platform_joint_force_mx_by_limb1_U2_mn, t35,
+        platform_joint_force_mx_by_limb1_U2_mn},
+      platform_joint_force_mx_by_U2_mn = {platform_joint_force_mx_by_limb1_U2_mn, t35,
+          platform_joint_force_mx_by_limb1_U2_mn, t35};
+    FIRST_LIMB(0, inverse_dynamics_independent, 1, stride, sine, cosine, t38,
+        platform_joint_force_mx_by_limb1_U2_mn_2, platform_joint_force_mx_by_U2_mn, limb5_S_joint_rate_wz,
+        signed_limb5_S_joint_rate_wy, given_2, t110, given_4, signed_limb5_S_joint_rate_wx, &limbs);
     const REAL t112 = limb1_U_factor_1_by_3 * limbs.t9[0], t111 = minus_limb1_U_factor_0_by_3 * limbs.t8[0];
     /* limb1: loop closure */
     const REAL t120 = limb1_lower_cos * t100 - limb1_lower_sin * limbs.t6[0] + limbs.signed_lower_omega_y[0],
       t137 = limbs.signed_U_joint_rate_1[0] * t120, t113 = limbs.signed_U_joint_rate_1[0] - limbs.t7[0],
-      t141 = limb1_U2_constraint_mn_couple_x * (t137 - t113 * limbs.signed_lower_omega_y[0] + limbs.signed_lower_alpha_still_x[0]),
+      t141 = limb1_U2_constraint_mn_couple_x * (t137 - t113 * limbs.signed_lower_omega_y[0] +
+          limbs.signed_lower_alpha_still_x[0]),
       t121 = limb1_U2_constraint_mn_couple_x * t120,
       t127 = limb1_lower_sin * t100 + limb1_lower_cos * limbs.t6[0] + limbs.signed_lower_omega_x[0],
-      t136 = limb1_U2_constraint_mn_couple_z * (limbs.signed_lower_omega_y[0] * t127 - t120 * limbs.signed_lower_omega_x[0]),
+      t136 = limb1_U2_constraint_mn_couple_z * (limbs.signed_lower_omega_y[0] * t127 - t120 *
+          limbs.signed_lower_omega_x[0]),
       t142 = t136 - t141, t128 = limb1_U2_constraint_mn_couple_z * t120,
       limb1_U2_opening_mn = t114 + limb1_lower_cos * platform_turn_xy,
       t123 = t113 * (limb1_U2_opening_mn * t113 + t121);
@@ -442,7 +475,8 @@ BODY(three_ups_upu_s_inverse_dynamics_independent)(size_t stride, const double *
       t207 = k13 * (t203 + (platform_turn_yy * limb5_S_joint_acc_wy + platform_turn_xy * limb5_S_joint_acc_wx)),
       platform_rate_my = gravity_z_platform_mz * platform_turn_zx - (t202 - t207),
       t235 = platform_turn_yy * platform_rate_my, t225 = platform_turn_xy * platform_rate_my,
-      t209 = platform_turn_zy * platform_rate_my, minus_platform_moment_x = gravity_z_platform_mz * platform_turn_zy,
+      t209 = platform_turn_zy * platform_rate_my, minus_platform_moment_x = gravity_z_platform_mz *
+          platform_turn_zy,
       t211 = platform_turn_zx * limb5_S_joint_acc_wz, t197 = platform_turn_zz * limb5_S_joint_acc_wz,
       t215 = k13 * (t211 + (platform_turn_yx * limb5_S_joint_acc_wy + platform_turn_xx * limb5_S_joint_acc_wx)),
       minus_platform_rate_mx = minus_platform_moment_x - (t210 + t215);
@@ -450,28 +484,41 @@ BODY(three_ups_upu_s_inverse_dynamics_independent)(size_t stride, const double *
     const REAL t218 = t209 - platform_turn_zx * minus_platform_rate_mx,
       t237 = t235 - platform_turn_yx * minus_platform_rate_mx,
       t227 = t225 - platform_turn_xx * minus_platform_rate_mx,
-      platform_rate_mz = platform_Izz * (t197 + (platform_turn_yz * limb5_S_joint_acc_wy + platform_turn_xz * limb5_S_joint_acc_wx)),
+      platform_rate_mz = platform_Izz * (t197 + (platform_turn_yz * limb5_S_joint_acc_wy + platform_turn_xz *
+          limb5_S_joint_acc_wx)),
       t219 = platform_turn_zz * platform_rate_mz + t218, t238 = platform_turn_yz * platform_rate_mz + t237,
       t228 = platform_turn_xz * platform_rate_mz + t227;
-    const EACH4 limb5_S_joint_acc_wy_2 = {limb5_S_joint_acc_wy, limb5_S_joint_acc_wx, limb5_S_joint_acc_wy, limb5_S_joint_acc_wx},
-      limb5_S_joint_acc_wx_2 = {limb5_S_joint_acc_wx, limb5_S_joint_acc_wy, limb5_S_joint_acc_wx, limb5_S_joint_acc_wy};
+    const EACH4 limb5_S_joint_acc_wy_2 = {limb5_S_joint_acc_wy, limb5_S_joint_acc_wx, limb5_S_joint_acc_wy,
+        limb5_S_joint_acc_wx},
+      limb5_S_joint_acc_wx_2 = {limb5_S_joint_acc_wx, limb5_S_joint_acc_wy, limb5_S_joint_acc_wx,
+          limb5_S_joint_acc_wy};
     FIRST_LIMB(0, inverse_dynamics_independent, 2, stride, sine, cosine, limb5_S_joint_acc_still_wz, &limbs);
-    FIRST_LIMB(0, inverse_dynamics_independent, 3, stride, sine, cosine, t193, limb5_S_joint_acc_wy_2, limb5_S_joint_acc_wx_2, &limbs);
+    FIRST_LIMB(0, inverse_dynamics_independent, 3, stride, sine, cosine, t193, limb5_S_joint_acc_wy_2,
+        limb5_S_joint_acc_wx_2, &limbs);
     const REAL t220 = t219 + limbs.t17[0], t239 = t238 - limbs.t18[0], t229 = t228 - limbs.t19[0];
     NEXT_LIMB(1, inverse_dynamics_independent, 0, stride, q, sine, cosine, &limbs);
-    NEXT_LIMB(1, inverse_dynamics_independent, 1, stride, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn_2, platform_joint_force_mx_by_U2_mn, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, given_2, t110, given_4, signed_limb5_S_joint_rate_wx, &limbs);
+    NEXT_LIMB(1, inverse_dynamics_independent, 1, stride, sine, cosine, t38,
+        platform_joint_force_mx_by_limb1_U2_mn_2, platform_joint_force_mx_by_U2_mn, limb5_S_joint_rate_wz,
+        signed_limb5_S_joint_rate_wy, given_2, t110, given_4, signed_limb5_S_joint_rate_wx, &limbs);
     NEXT_LIMB(1, inverse_dynamics_independent, 2, stride, sine, cosine, limb5_S_joint_acc_still_wz, &limbs);
-    NEXT_LIMB(1, inverse_dynamics_independent, 3, stride, sine, cosine, t193, limb5_S_joint_acc_wy_2, limb5_S_joint_acc_wx_2, &limbs);
+    NEXT_LIMB(1, inverse_dynamics_independent, 3, stride, sine, cosine, t193, limb5_S_joint_acc_wy_2,
+        limb5_S_joint_acc_wx_2, &limbs);
     const REAL t221 = t220 - limbs.t17[1], t240 = t239 - limbs.t19[1], t230 = t229 - limbs.t18[1];
     NEXT_LIMB(2, inverse_dynamics_independent, 0, stride, q, sine, cosine, &limbs);
-    NEXT_LIMB(2, inverse_dynamics_independent, 1, stride, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn_2, platform_joint_force_mx_by_U2_mn, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, given_2, t110, given_4, signed_limb5_S_joint_rate_wx, &limbs);
+    NEXT_LIMB(2, inverse_dynamics_independent, 1, stride, sine, cosine, t38,
+        platform_joint_force_mx_by_limb1_U2_mn_2, platform_joint_force_mx_by_U2_mn, limb5_S_joint_rate_wz,
+        signed_limb5_S_joint_rate_wy, given_2, t110, given_4, signed_limb5_S_joint_rate_wx, &limbs);
     NEXT_LIMB(2, inverse_dynamics_independent, 2, stride, sine, cosine, limb5_S_joint_acc_still_wz, &limbs);
-    NEXT_LIMB(2, inverse_dynamics_independent, 3, stride, sine, cosine, t193, limb5_S_joint_acc_wy_2, limb5_S_joint_acc_wx_2, &limbs);
+    NEXT_LIMB(2, inverse_dynamics_independent, 3, stride, sine, cosine, t193, limb5_S_joint_acc_wy_2,
+        limb5_S_joint_acc_wx_2, &limbs);
     const REAL t222 = t221 - limbs.t17[2], t241 = limbs.t18[2] + t240, t231 = limbs.t19[2] + t230;
     NEXT_LIMB(3, inverse_dynamics_independent, 0, stride, q, sine, cosine, &limbs);
-    NEXT_LIMB(3, inverse_dynamics_independent, 1, stride, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn_2, platform_joint_force_mx_by_U2_mn, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, given_2, t110, given_4, signed_limb5_S_joint_rate_wx, &limbs);
+    NEXT_LIMB(3, inverse_dynamics_independent, 1, stride, sine, cosine, t38,
+        platform_joint_force_mx_by_limb1_U2_mn_2, platform_joint_force_mx_by_U2_mn, limb5_S_joint_rate_wz,
+        signed_limb5_S_joint_rate_wy, given_2, t110, given_4, signed_limb5_S_joint_rate_wx, &limbs);
     NEXT_LIMB(3, inverse_dynamics_independent, 2, stride, sine, cosine, limb5_S_joint_acc_still_wz, &limbs);
-    NEXT_LIMB(3, inverse_dynamics_independent, 3, stride, sine, cosine, t193, limb5_S_joint_acc_wy_2, limb5_S_joint_acc_wx_2, &limbs);
+    NEXT_LIMB(3, inverse_dynamics_independent, 3, stride, sine, cosine, t193, limb5_S_joint_acc_wy_2,
+        limb5_S_joint_acc_wx_2, &limbs);
     const REAL minus_limb1_U2_part_mn = t38 * (limbs.t17[3] + t222),
       t223 = platform_joint_force_mx_by_limb1_U2_mn * minus_limb1_U2_part_mn,
       limb5_S_balance_wy = t35 * minus_limb1_U2_part_mn + (limbs.t19[3] + t241),
@@ -485,7 +532,8 @@ BODY(three_ups_upu_s_inverse_dynamics_independent)(size_t stride, const double *
       drives_share_0_0 = limbs.t5[3] + (limbs.t4[2] + (limbs.t5[1] + limbs.t4[0])),
       minus_determinant = t43 - drives_share_1_1 * drives_share_0_0;
     REAL checked3 = minus_determinant;
-    const REAL t243 = t232 + drives_share_0_0 * limb5_S_balance_wy, t49 = 1.0 / minus_determinant, t248 = t49 * t247,
+    const REAL t243 = t232 + drives_share_0_0 * limb5_S_balance_wy, t49 = 1.0 / minus_determinant, t248 = t49 *
+        t247,
       t244 = t49 * t243, t249 = -t248;
     const EACH4 given = {t244, t249, t244, t249}, given_2_2 = {t249, t244, t249, t244};
     FIRST_LIMB(0, inverse_dynamics_independent, 4, stride, u, given, given_2_2, &limbs);
@@ -500,11 +548,15 @@ BODY(three_ups_upu_s_inverse_dynamics_independent)(size_t stride, const double *
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
     FINITE_UNLESS4( /* status 1 where a pivot is smaller than its limit: */
-        SMALL4(limbs.minus_U_0_lever_mz_by_S_fz, 6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10) OR /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
+        SMALL4(limbs.minus_U_0_lever_mz_by_S_fz, 6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10) OR
+            /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the
+               reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
         SMALL(minus_limb5_S_pivot_wz, 1.0e-09) OR /* where the loops no longer determine limb5_S.wz */
         SMALL(a_pivot, 1.0e-09) OR /* where the elimination meets a singularity */
-        SMALL(platform_joint_force_mz_by_limb1_U2_mn, 4.0171000000000005e-10) OR /* where limb1_U2.mn cannot balance platform.moment_z */
-        SMALL(minus_determinant, 2.393867125597279e-10), /* where equations that are solved at once lose rank, as drives do at a singularity */
+        SMALL(platform_joint_force_mz_by_limb1_U2_mn, 4.0171000000000005e-10) OR
+            /* where limb1_U2.mn cannot balance platform.moment_z */
+        SMALL(minus_determinant, 2.393867125597279e-10),
+            /* where equations that are solved at once lose rank, as drives do at a singularity */
         (checked0 + checked1) + (checked2 + checked3), limbs.checked);
 }
 #endif
@@ -537,8 +589,10 @@ STAGE(inverse_dynamics_preload, 0)(size_t limb, size_t stride, const double *res
       lower_U_still_xy = signed_lower_omega_x * signed_lower_omega_y, P_v = IN_EACH4(READ, v, 2, 3),
       signed_upper_acc_z = P_v * (2.0 * signed_lower_omega_y) - t6,
       t7 = upper_offset_x * (limb_lower_m * signed_upper_acc_z + signed_lower_rate_fz),
-      signed_lower_moment_y = limb_lower_mx * signed_upper_acc_z - t7 + (each_gravity_z_limb_lower_mx * signed_U_0_sin + t11),
-      lower_joint_force_my = signed_lower_sin * (k10 * (U_v_1 * signed_lower_omega_y)) - t38 * signed_lower_moment_y,
+      signed_lower_moment_y = limb_lower_mx * signed_upper_acc_z - t7 + (each_gravity_z_limb_lower_mx *
+          signed_U_0_sin + t11),
+      lower_joint_force_my = signed_lower_sin * (k10 * (U_v_1 * signed_lower_omega_y)) - t38 *
+          signed_lower_moment_y,
       t19 = signed_lower_omega_y * signed_lower_omega_y, U_0_moment_z = lower_joint_force_my + k3 * U_a_0;
     OWN(signed_U_0_lever_mz_by_S_fz) = t38 * upper_offset_x;
     LIMB4 checked = OWN(signed_U_0_lever_mz_by_S_fz);
@@ -561,7 +615,8 @@ STAGE(inverse_dynamics_preload, 0)(size_t limb, size_t stride, const double *res
       t27 = limb_lower_mx * upper_acc_y - upper_offset_x * (limb_lower_m * upper_acc_y - lower_rate_fy),
       t31 = t39 * ((t27 + (upper_moment_z - (t28 + k9 * U_a_1))) * OWN(t3)),
       minus_lower_U_still_xx = t19 + U_v_1 * U_v_1,
-      lower_force_x = limb_lower_m * (IN_EACH4(READ, a, 2, 3) - (upper_offset_x * minus_lower_U_still_xx - lower_acc_x)),
+      lower_force_x = limb_lower_m * (IN_EACH4(READ, a, 2, 3) - (upper_offset_x * minus_lower_U_still_xx -
+          lower_acc_x)),
       t32 = OWN(signed_S_arm_y) * (limb_lower_mx * minus_lower_U_still_xx + lower_force_x) - t31;
     OWN(t7) = t34 - U_0_cos * t32;
     OWN(t6) = t18 + signed_U_0_sin * t32;
@@ -612,31 +667,37 @@ BODY(three_ups_upu_s_inverse_dynamics_preload)(size_t stride, const double *rest
       t24 = limb1_U_0_sin * t23,
       t28 = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy);
     /* platform: geometry; balance, eqs. (40)-(47) */
-    const REAL t30 = limb5_S_q_qx * t29, t55 = limb5_S_q_qw * t29, t31 = limb5_S_q_qw * t13, t54 = limb5_S_q_qx * t13,
+    const REAL t30 = limb5_S_q_qx * t29, t55 = limb5_S_q_qw * t29, t31 = limb5_S_q_qw * t13, t54 = limb5_S_q_qx *
+        t13,
       platform_turn_xy = t30 - t31, platform_turn_yx = t30 + t31,
       limb1_U2_constraint_mn_couple_z = t28 - limb1_lower_sin * platform_turn_xy,
-      minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limbs.S_arm_x[0] * (limb1_U2_constraint_mn_couple_z * limbs.t3[0]),
+      minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limbs.S_arm_x[0] *
+          (limb1_U2_constraint_mn_couple_z * limbs.t3[0]),
       platform_joint_force_mz_by_limb1_U2_mn = t36 + limb1_U_0_sin * minus_limb1_U2_factor_0_by_3;
     REAL checked1 = platform_joint_force_mz_by_limb1_U2_mn;
     const REAL t38 = 1.0 / platform_joint_force_mz_by_limb1_U2_mn,
       t35 = t24 - limb1_U_0_cos * minus_limb1_U2_factor_0_by_3;
     NEXT_LIMB(1, inverse_dynamics_preload, 0, stride, q, v, a, weights, sine, cosine, &limbs);
     REAL checked2 = ALONE(limbs.checked[1]);
-    FIRST_LIMB(1, inverse_dynamics_preload, 1, stride, preload, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn, t35, &limbs);
+    FIRST_LIMB(1, inverse_dynamics_preload, 1, stride, preload, sine, cosine, t38,
+        platform_joint_force_mx_by_limb1_U2_mn, t35, &limbs);
     /* drives: drives; pivots; accelerations */
     const REAL t46 = limbs.t1[1] * limbs.signed_limb5_S_balance_wx_by_P[1],
       t47 = t46 * limbs.signed_limb5_S_balance_wy_by_P[1];
-    NEXT_LIMB(0, inverse_dynamics_preload, 1, stride, preload, sine, cosine, t38, t35, platform_joint_force_mx_by_limb1_U2_mn, &limbs);
+    NEXT_LIMB(0, inverse_dynamics_preload, 1, stride, preload, sine, cosine, t38, t35,
+        platform_joint_force_mx_by_limb1_U2_mn, &limbs);
     const REAL t41 = limbs.t1[0] * limbs.signed_limb5_S_balance_wy_by_P[0],
       t49 = t47 + t41 * limbs.signed_limb5_S_balance_wx_by_P[0];
     NEXT_LIMB(2, inverse_dynamics_preload, 0, stride, q, v, a, weights, sine, cosine, &limbs);
     REAL checked3 = ALONE(limbs.checked[2]);
-    NEXT_LIMB(2, inverse_dynamics_preload, 1, stride, preload, sine, cosine, t38, t35, platform_joint_force_mx_by_limb1_U2_mn, &limbs);
+    NEXT_LIMB(2, inverse_dynamics_preload, 1, stride, preload, sine, cosine, t38, t35,
+        platform_joint_force_mx_by_limb1_U2_mn, &limbs);
     const REAL t44 = limbs.t1[2] * limbs.signed_limb5_S_balance_wy_by_P[2],
       t50 = t44 * limbs.signed_limb5_S_balance_wx_by_P[2] + t49;
     NEXT_LIMB(3, inverse_dynamics_preload, 0, stride, q, v, a, weights, sine, cosine, &limbs);
     checked0 = checked0 + ALONE(limbs.checked[3]);
-    NEXT_LIMB(3, inverse_dynamics_preload, 1, stride, preload, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn, t35, &limbs);
+    NEXT_LIMB(3, inverse_dynamics_preload, 1, stride, preload, sine, cosine, t38,
+        platform_joint_force_mx_by_limb1_U2_mn, t35, &limbs);
     const REAL t42 = limbs.t1[3] * limbs.signed_limb5_S_balance_wx_by_P[3],
       minus_drives_share_1_0 = t42 * limbs.signed_limb5_S_balance_wy_by_P[3] + t50,
       t109 = minus_drives_share_1_0 * minus_drives_share_1_0,
@@ -665,11 +726,13 @@ BODY(three_ups_upu_s_inverse_dynamics_preload)(size_t stride, const double *rest
       platform_rate_my = platform_moment_y - (k12 * (READ(v, 12) * limb5_S_v_wz) - k13 * READ(a, 13)),
       t64 = t59 - platform_turn_zy * platform_rate_my, t76 = t74 - platform_turn_xy * platform_rate_my,
       t100 = t98 - platform_turn_yy * platform_rate_my, platform_rate_mz = platform_Izz * READ(a, 14),
-      minus_platform_joint_force_mz = limbs.t6[2] + (limbs.t6[1] + (t64 - platform_turn_zz * platform_rate_mz - limbs.t6[0])) - limbs.t6[3],
+      minus_platform_joint_force_mz = limbs.t6[2] + (limbs.t6[1] + (t64 - platform_turn_zz * platform_rate_mz -
+          limbs.t6[0])) - limbs.t6[3],
       limb1_U2_part_mn = t38 * minus_platform_joint_force_mz,
       t72 = platform_joint_force_mx_by_limb1_U2_mn * limb1_U2_part_mn, t97 = t35 * limb1_U2_part_mn,
       t105 = limbs.t7[2] + (limbs.t8[1] - (t100 - platform_turn_yz * platform_rate_mz + limbs.t7[0])),
-      minus_platform_joint_force_mx = limbs.t8[2] + (t76 - platform_turn_xz * platform_rate_mz - limbs.t8[0] + limbs.t7[1]) - limbs.t7[3],
+      minus_platform_joint_force_mx = limbs.t8[2] + (t76 - platform_turn_xz * platform_rate_mz - limbs.t8[0] +
+          limbs.t7[1]) - limbs.t7[3],
       t82 = t53 + (t72 - minus_platform_joint_force_mx), t106 = t96 + (t97 + (limbs.t8[3] - t105)),
       t122 = minus_drives_share_1_0 * t106 - drives_share_1_1 * t82,
       t118 = (minus_drives_share_1_0 * t82 - drives_share_0_0 * t106) * t117, t123 = t117 * t122,
@@ -693,9 +756,13 @@ BODY(three_ups_upu_s_inverse_dynamics_preload)(size_t stride, const double *rest
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
     FINITE_UNLESS4( /* status 1 where a pivot is smaller than its limit: */
-        SMALL4(limbs.signed_U_0_lever_mz_by_S_fz, 6.233100000000001e-10, 6.3211e-10, 6.4044e-10, 6.284e-10) OR /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
-        SMALL(platform_joint_force_mz_by_limb1_U2_mn, 4.0171000000000005e-10) OR /* where limb1_U2.mn cannot balance platform.moment_z */
-        SMALL(minus_determinant, 2.393867125597279e-10) OR /* where equations that are solved at once lose rank, as drives do at a singularity */
+        SMALL4(limbs.signed_U_0_lever_mz_by_S_fz, 6.233100000000001e-10, 6.3211e-10, 6.4044e-10, 6.284e-10) OR
+            /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the
+               reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
+        SMALL(platform_joint_force_mz_by_limb1_U2_mn, 4.0171000000000005e-10) OR
+            /* where limb1_U2.mn cannot balance platform.moment_z */
+        SMALL(minus_determinant, 2.393867125597279e-10) OR
+            /* where equations that are solved at once lose rank, as drives do at a singularity */
         SMALL(limb1_P_weights, 0.0) OR /* where weights limb1_P vanishes */
         SMALL(limb2_P_weights, 0.0) OR /* where weights limb2_P vanishes */
         SMALL(limb3_P_weights, 0.0) OR /* where weights limb3_P vanishes */
@@ -792,7 +859,8 @@ STAGE(inverse_dynamics_platform, 1)(size_t limb, size_t stride, REAL signed_U_0_
       signed_lower_rate_mz = OWN(t8) - limb_lower_mx * signed_lower_acc_y,
       signed_upper_rate_mz = limb_lower_mx * signed_upper_acc_y;
     /* each limb: balance, eqs. (40)-(47); accelerations; momentum rate, eq. (35) */
-    const LIMB4 t3 = OWN(lower_limb_length) * (limb_lower_m * signed_upper_acc_y + limb_lower_mx * OWN(signed_lower_U_yx)),
+    const LIMB4 t3 = OWN(lower_limb_length) * (limb_lower_m * signed_upper_acc_y + limb_lower_mx *
+        OWN(signed_lower_U_yx)),
       signed_S_multiplier_fy = OWN(t1) * (t3 - signed_upper_rate_mz - signed_lower_rate_mz),
       t6 = OWN(signed_lower_cos) * signed_S_multiplier_fy, t17 = OWN(signed_lower_sin) * signed_S_multiplier_fy,
       minus_upper_acc_x = OWN(lower_limb_length) * OWN(minus_lower_U_xx),
@@ -800,11 +868,15 @@ STAGE(inverse_dynamics_platform, 1)(size_t limb, size_t stride, REAL signed_U_0_
       upper_rate_fx = lower_force_x + limb_lower_mx * OWN(minus_lower_U_xx);
     OWN(t10) = t6 - OWN(signed_lower_sin) * upper_rate_fx;
     const LIMB4 t19 = t17 + OWN(signed_lower_cos) * upper_rate_fx,
-      signed_upper_acc_z_2 = OWN(t11) - (each_gravity_z_2 * signed_U_0_sin - OWN(lower_limb_length) * OWN(signed_lower_U_zx_2)),
+      signed_upper_acc_z_2 = OWN(t11) - (each_gravity_z_2 * signed_U_0_sin - OWN(lower_limb_length) *
+          OWN(signed_lower_U_zx_2)),
       signed_upper_rate_my = (-limb_lower_mx) * signed_upper_acc_z_2,
-      t12 = OWN(lower_limb_length) * ((-limb_lower_m) * signed_upper_acc_z_2 - (-limb_lower_mx) * OWN(signed_lower_U_zx_2)),
-      t15 = OWN(signed_lower_cos) * (signed_upper_rate_my - t12 - (OWN(t12) + each_gravity_z_limb_lower_mx * signed_U_0_sin)),
-      signed_S_multiplier_fz = OWN(t3) * (k3 * OWN(U_0_alpha_z) - (OWN(signed_lower_sin) * (k10 * OWN(signed_lower_alpha_x)) - t15)),
+      t12 = OWN(lower_limb_length) * ((-limb_lower_m) * signed_upper_acc_z_2 - (-limb_lower_mx) *
+          OWN(signed_lower_U_zx_2)),
+      t15 = OWN(signed_lower_cos) * (signed_upper_rate_my - t12 - (OWN(t12) + each_gravity_z_limb_lower_mx *
+          signed_U_0_sin)),
+      signed_S_multiplier_fz = OWN(t3) * (k3 * OWN(U_0_alpha_z) - (OWN(signed_lower_sin) * (k10 *
+          OWN(signed_lower_alpha_x)) - t15)),
       t21 = OWN(signed_U_0_cos) * signed_S_multiplier_fz;
     OWN(t13) = OWN(signed_U_0_sin) * signed_S_multiplier_fz + OWN(signed_U_0_cos) * t19;
     const LIMB4 t23 = OWN(signed_lower_limb_target_x) * OWN(t13);
@@ -834,7 +906,8 @@ STAGE(inverse_dynamics_platform, 3)(size_t limb, size_t stride, REAL given, REAL
     /* each limb: balance, eqs. (40)-(47); drives */
     const LIMB4 signed_limb1_U2_part_mn_by_P = (sign2 * given_3 + given_4) * given_5,
       t1 = given_6 * signed_limb1_U2_part_mn_by_P;
-    OWN(minus_limb5_S_balance_wx_by_P) = given_7 - sign3 * given_8 + sign1 * (given_9 * signed_limb1_U2_part_mn_by_P);
+    OWN(minus_limb5_S_balance_wx_by_P) = given_7 - sign3 * given_8 + sign1 * (given_9 *
+        signed_limb1_U2_part_mn_by_P);
     OWN(t19) = OWN(minus_limb5_S_balance_wx_by_P) * OWN(minus_limb5_S_balance_wx_by_P);
     OWN(signed_limb5_S_balance_wy_by_P) = given + sign1 * given_2 - t1;
     OWN(t21) = OWN(minus_limb5_S_balance_wx_by_P) * OWN(signed_limb5_S_balance_wy_by_P);
@@ -848,7 +921,8 @@ BODY(three_ups_upu_s_inverse_dynamics_platform)(size_t stride, const double *res
     LIMBS(inverse_dynamics_platform) limbs;
     /* limb5_S: geometry */
     const REAL limb5_S_pose_qw = READ(pose, 0), limb5_S_pose_qx = READ(pose, 1),
-      t1 = limb5_S_pose_qw * limb5_S_pose_qw, t2 = limb5_S_pose_qx * limb5_S_pose_qx, limb5_S_pose_qy = READ(pose, 2),
+      t1 = limb5_S_pose_qw * limb5_S_pose_qw, t2 = limb5_S_pose_qx * limb5_S_pose_qx, limb5_S_pose_qy = READ(pose,
+          2),
       t3 = t1 + t2, t4 = limb5_S_pose_qy * limb5_S_pose_qy, limb5_S_pose_qz = READ(pose, 3),
       t5 = limb5_S_pose_qz * limb5_S_pose_qz, t6 = t4 + t5, t7 = t3 + t6, t9 = 4.0 - 2.0 * t7, t15 = t2 + t4,
       platform_turn_yy = 1.0 - t9 * (t2 + t5), platform_turn_zz = 1.0 - t9 * t15, platform_turn_xx = 1.0 - t6 * t9,
@@ -857,7 +931,8 @@ BODY(three_ups_upu_s_inverse_dynamics_platform)(size_t stride, const double *res
       platform_turn_yx = t19 + t20, platform_turn_xy = t19 - t20;
     /* platform: accelerations; loop closure; momentum rate, eq. (35) */
     const REAL limb5_S_rate_wy = READ(rate, 1), t54 = limb5_S_rate_wy * limb5_S_rate_wy,
-      limb5_S_rate_wz = READ(rate, 2), t55 = limb5_S_rate_wz * limb5_S_rate_wz, minus_platform_U_still_xx = t54 + t55,
+      limb5_S_rate_wz = READ(rate, 2), t55 = limb5_S_rate_wz * limb5_S_rate_wz, minus_platform_U_still_xx = t54 +
+          t55,
       limb5_S_rate_wx = READ(rate, 0), t56 = platform_turn_yx * minus_platform_U_still_xx,
       platform_U_still_xy = limb5_S_rate_wx * limb5_S_rate_wy, limb5_S_acc_wz = READ(acceleration, 2),
       platform_U_yx = limb5_S_acc_wz + platform_U_still_xy,
@@ -890,33 +965,42 @@ BODY(three_ups_upu_s_inverse_dynamics_platform)(size_t stride, const double *res
       platform_twist_wy = t52 + limb5_S_rate_wz * platform_turn_yz, t14 = 0.5 * platform_turn_zx,
       t18 = param_H * platform_turn_xz, t31 = 0.5 * platform_turn_yx, t27 = param_H * platform_turn_yz,
       t17 = param_H * platform_turn_zz, t23 = 0.5 * platform_turn_xx;
-    FIRST_LIMB(0, inverse_dynamics_platform, 0, stride, t14, t17, t23, t18, t31, t27, platform_twist_wz, platform_twist_wx, platform_twist_wy, t61, t68, t86, t74, t104, t92, &limbs);
-    NEXT_LIMB(2, inverse_dynamics_platform, 0, stride, t14, t17, t23, t18, t31, t27, platform_twist_wz, platform_twist_wx, platform_twist_wy, t61, t68, t86, t74, t104, t92, &limbs);
+    FIRST_LIMB(0, inverse_dynamics_platform, 0, stride, t14, t17, t23, t18, t31, t27, platform_twist_wz,
+        platform_twist_wx, platform_twist_wy, t61, t68, t86, t74, t104, t92, &limbs);
+    NEXT_LIMB(2, inverse_dynamics_platform, 0, stride, t14, t17, t23, t18, t31, t27, platform_twist_wz,
+        platform_twist_wx, platform_twist_wy, t61, t68, t86, t74, t104, t92, &limbs);
     /* limb1: reciprocal wrenches, eq. (10); loop closure; balance, eqs. (40)-(47) */
     const REAL t35 = platform_turn_yy * limbs.signed_U_0_sin[0] + platform_turn_zy * limbs.signed_U_0_cos[0],
       t186 = limbs.signed_lower_sin[0] * t35,
-      limb1_U2_constraint_mn_couple_z = limbs.signed_lower_cos[0] * t35 + platform_turn_xy * limbs.signed_lower_sin[0],
+      limb1_U2_constraint_mn_couple_z = limbs.signed_lower_cos[0] * t35 + platform_turn_xy *
+          limbs.signed_lower_sin[0],
       minus_limb1_U2_part_fy_by_limb1_U2_mn = limbs.t1[0] * limb1_U2_constraint_mn_couple_z,
       limb1_U_0_force_y_by_limb1_U2_mn = limbs.signed_lower_sin[0] * minus_limb1_U2_part_fy_by_limb1_U2_mn,
       limb1_U_0_force_z_by_limb1_U2_mn = limbs.signed_lower_cos[0] * minus_limb1_U2_part_fy_by_limb1_U2_mn,
       minus_limb1_U_0_joint_force_fy_by_limb1_U2_mn = limbs.signed_U_0_cos[0] * limb1_U_0_force_y_by_limb1_U2_mn,
       minus_limb1_U_0_joint_force_fx_by_limb1_U2_mn = limbs.signed_U_0_sin[0] * limb1_U_0_force_y_by_limb1_U2_mn,
-      minus_limb1_U2_constraint_mn_couple_x = platform_turn_yy * limbs.signed_U_0_cos[0] - platform_turn_zy * limbs.signed_U_0_sin[0],
+      minus_limb1_U2_constraint_mn_couple_x = platform_turn_yy * limbs.signed_U_0_cos[0] - platform_turn_zy *
+          limbs.signed_U_0_sin[0],
       limb1_U_0_lever_mz_by_limb1_U2_mn = limbs.signed_lower_sin[0] * minus_limb1_U2_constraint_mn_couple_x,
       minus_limb1_U_0_lever_my_by_limb1_U2_mn = limbs.signed_lower_cos[0] * minus_limb1_U2_constraint_mn_couple_x,
       limb1_U2_part_fz_by_limb1_U2_mn = limbs.t3[0] * limb1_U_0_lever_mz_by_limb1_U2_mn;
     /* platform: balance, eqs. (40)-(47); loop closure; drives */
-    const REAL t112 = minus_limb1_U_0_joint_force_fy_by_limb1_U2_mn + limbs.signed_U_0_sin[0] * limb1_U2_part_fz_by_limb1_U2_mn,
-      t117 = limbs.signed_U_0_cos[0] * limb1_U2_part_fz_by_limb1_U2_mn - minus_limb1_U_0_joint_force_fx_by_limb1_U2_mn;
+    const REAL t112 = minus_limb1_U_0_joint_force_fy_by_limb1_U2_mn + limbs.signed_U_0_sin[0] *
+        limb1_U2_part_fz_by_limb1_U2_mn,
+      t117 = limbs.signed_U_0_cos[0] * limb1_U2_part_fz_by_limb1_U2_mn -
+          minus_limb1_U_0_joint_force_fx_by_limb1_U2_mn;
     FIRST_LIMB(0, inverse_dynamics_platform, 2, stride, limb1_U_0_force_z_by_limb1_U2_mn, -t112, t117, &limbs);
-    const REAL t122 = limbs.signed_lower_limb_target_x[0] * t112 + limbs.signed_lower_limb_target_y[0] * t117 - limb1_U_0_lever_mz_by_limb1_U2_mn,
+    const REAL t122 = limbs.signed_lower_limb_target_x[0] * t112 + limbs.signed_lower_limb_target_y[0] * t117 -
+        limb1_U_0_lever_mz_by_limb1_U2_mn,
       t114 = limbs.signed_U_0_sin[0] * limb1_U2_constraint_mn_couple_z, /* limb1 */
       t38 = limbs.signed_U_0_cos[0] * limb1_U2_constraint_mn_couple_z, /* limb1 */
-      platform_joint_force_mz_by_limb1_U2_mn = t114 + limbs.signed_U_0_cos[0] * minus_limb1_U_0_lever_my_by_limb1_U2_mn + limbs.t18[0];
+      platform_joint_force_mz_by_limb1_U2_mn = t114 + limbs.signed_U_0_cos[0] *
+          minus_limb1_U_0_lever_my_by_limb1_U2_mn + limbs.t18[0];
     REAL checked0 = platform_joint_force_mz_by_limb1_U2_mn;
     const REAL t118 = 1.0 / platform_joint_force_mz_by_limb1_U2_mn,
       t113 = t38 - limbs.signed_U_0_sin[0] * minus_limb1_U_0_lever_my_by_limb1_U2_mn - limbs.t14[0];
-    FIRST_LIMB(0, inverse_dynamics_platform, 3, stride, -limbs.t2[0], limbs.t4[0], limbs.t15[0], -limbs.t16[0], t118, t113, limbs.t5[0], limbs.t6[0], t122, &limbs);
+    FIRST_LIMB(0, inverse_dynamics_platform, 3, stride, -limbs.t2[0], limbs.t4[0], limbs.t15[0], -limbs.t16[0],
+        t118, t113, limbs.t5[0], limbs.t6[0], t122, &limbs);
     const REAL t77 = platform_turn_zx * minus_platform_U_xy + platform_turn_zy * minus_platform_U_still_yy,
       platform_U_zy = limb5_S_acc_wx + platform_U_still_yz, t132 = k12 * platform_U_still_yz,
       t80 = 0.5 * (t77 - platform_turn_zz * platform_U_zy),
@@ -924,13 +1008,18 @@ BODY(three_ups_upu_s_inverse_dynamics_platform)(size_t stride, const double *res
       t107 = platform_turn_yx * minus_platform_U_xy + platform_turn_yy * minus_platform_U_still_yy,
       t98 = 0.5 * (t95 - platform_turn_xz * platform_U_zy), t110 = 0.5 * (t107 - platform_turn_yz * platform_U_zy),
       t21 = 0.5 * platform_turn_xy, t32 = 0.5 * platform_turn_zy, t30 = 0.5 * platform_turn_yy;
-    NEXT_LIMB(1, inverse_dynamics_platform, 0, stride, t18, t21, t27, t30, t17, t32, platform_twist_wx, platform_twist_wy, platform_twist_wz, t74, t80, t92, t98, t68, t110, &limbs);
-    NEXT_LIMB(3, inverse_dynamics_platform, 0, stride, t18, t21, t27, t30, t17, t32, platform_twist_wx, platform_twist_wy, platform_twist_wz, t74, t80, t92, t98, t68, t110, &limbs);
-    NEXT_LIMB(1, inverse_dynamics_platform, 3, stride, limbs.t5[1], limbs.t6[1], limbs.t2[1], limbs.t4[1], t118, t113, limbs.t15[1], limbs.t16[1], t122, &limbs);
+    NEXT_LIMB(1, inverse_dynamics_platform, 0, stride, t18, t21, t27, t30, t17, t32, platform_twist_wx,
+        platform_twist_wy, platform_twist_wz, t74, t80, t92, t98, t68, t110, &limbs);
+    NEXT_LIMB(3, inverse_dynamics_platform, 0, stride, t18, t21, t27, t30, t17, t32, platform_twist_wx,
+        platform_twist_wy, platform_twist_wz, t74, t80, t92, t98, t68, t110, &limbs);
+    NEXT_LIMB(1, inverse_dynamics_platform, 3, stride, limbs.t5[1], limbs.t6[1], limbs.t2[1], limbs.t4[1], t118,
+        t113, limbs.t15[1], limbs.t16[1], t122, &limbs);
     const REAL t123 = limbs.t19[0] + limbs.t19[1];
-    NEXT_LIMB(2, inverse_dynamics_platform, 3, stride, -limbs.t2[2], limbs.t4[2], limbs.t15[2], -limbs.t16[2], t118, t113, limbs.t5[2], limbs.t6[2], t122, &limbs);
+    NEXT_LIMB(2, inverse_dynamics_platform, 3, stride, -limbs.t2[2], limbs.t4[2], limbs.t15[2], -limbs.t16[2], t118,
+        t113, limbs.t5[2], limbs.t6[2], t122, &limbs);
     const REAL t124 = t123 + limbs.t19[2];
-    NEXT_LIMB(3, inverse_dynamics_platform, 3, stride, limbs.t5[3], limbs.t6[3], -limbs.t2[3], limbs.t4[3], t118, t113, limbs.t15[3], -limbs.t16[3], t122, &limbs);
+    NEXT_LIMB(3, inverse_dynamics_platform, 3, stride, limbs.t5[3], limbs.t6[3], -limbs.t2[3], limbs.t4[3], t118,
+        t113, limbs.t15[3], -limbs.t16[3], t122, &limbs);
     const REAL drives_share_0_0 = t124 + limbs.t19[3],
       drives_share_1_1 = limbs.t20[0] + limbs.t20[1] + limbs.t20[2] + limbs.t20[3],
       t127 = drives_share_0_0 * drives_share_1_1,
@@ -967,16 +1056,20 @@ BODY(three_ups_upu_s_inverse_dynamics_platform)(size_t stride, const double *res
       minus_limb5_S_balance_wy = t148 - limbs.t22[3] + t160,
       t177 = t175 + minus_limb5_S_balance_wy * minus_drives_share_0_1,
       t173 = t131 * (minus_limb5_S_balance_wy * drives_share_0_0 + t171), t178 = t131 * t177,
-      limb1_P_drive = limbs.signed_limb5_S_balance_wy_by_P[0] * t173 - limbs.minus_limb5_S_balance_wx_by_P[0] * t178;
+      limb1_P_drive = limbs.signed_limb5_S_balance_wy_by_P[0] * t173 - limbs.minus_limb5_S_balance_wx_by_P[0] *
+          t178;
     WRITE(u, 0, limb1_P_drive);
     REAL checked2 = limb1_P_drive;
-    const REAL limb3_P_drive = limbs.signed_limb5_S_balance_wy_by_P[2] * t173 - limbs.minus_limb5_S_balance_wx_by_P[2] * t178;
+    const REAL limb3_P_drive = limbs.signed_limb5_S_balance_wy_by_P[2] * t173 -
+        limbs.minus_limb5_S_balance_wx_by_P[2] * t178;
     WRITE(u, 2, limb3_P_drive);
     REAL checked3 = limb3_P_drive;
-    const REAL minus_limb2_P_drive = limbs.minus_limb5_S_balance_wx_by_P[1] * t178 + limbs.signed_limb5_S_balance_wy_by_P[1] * t173;
+    const REAL minus_limb2_P_drive = limbs.minus_limb5_S_balance_wx_by_P[1] * t178 +
+        limbs.signed_limb5_S_balance_wy_by_P[1] * t173;
     checked0 = checked0 + minus_limb2_P_drive;
     WRITE(u, 1, -minus_limb2_P_drive);
-    const REAL minus_limb4_P_drive = limbs.minus_limb5_S_balance_wx_by_P[3] * t178 + limbs.signed_limb5_S_balance_wy_by_P[3] * t173;
+    const REAL minus_limb4_P_drive = limbs.minus_limb5_S_balance_wx_by_P[3] * t178 +
+        limbs.signed_limb5_S_balance_wy_by_P[3] * t173;
     checked1 = checked1 + minus_limb4_P_drive;
     WRITE(u, 3, -minus_limb4_P_drive);
     /* else status 5: no rotation */
@@ -985,10 +1078,15 @@ BODY(three_ups_upu_s_inverse_dynamics_platform)(size_t stride, const double *res
     /* else status 6: not on the mechanism */
     NOT_ABOVE(t188, 1.0e-12, 6);
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
-        SMALL4(limbs.lower_limb_length, 6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10) OR /* where the points of limb_lower coincide */
-        SMALL4(limbs.signed_U_0_lever_mz_by_S_fz, 6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10) OR /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
-        SMALL(platform_joint_force_mz_by_limb1_U2_mn, 4.0171000000000005e-10) OR /* where limb1_U2.mn cannot balance platform.moment_z */
-        SMALL(value_determinant, 2.393867125597279e-10), /* where equations that are solved at once lose rank, as drives do at a singularity */
+        SMALL4(limbs.lower_limb_length, 6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10) OR
+            /* where the points of limb_lower coincide */
+        SMALL4(limbs.signed_U_0_lever_mz_by_S_fz, 6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10) OR
+            /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the
+               reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
+        SMALL(platform_joint_force_mz_by_limb1_U2_mn, 4.0171000000000005e-10) OR
+            /* where limb1_U2.mn cannot balance platform.moment_z */
+        SMALL(value_determinant, 2.393867125597279e-10),
+            /* where equations that are solved at once lose rank, as drives do at a singularity */
         (checked0 + checked1) + (checked2 + checked3));
 }
 #endif
@@ -1080,33 +1178,31 @@ int three_ups_upu_s_inverse_dynamics_preload(const double *restrict q, const dou
 }
 
 #if defined(__GNUC__) && defined(__AVX2__) && !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_LIMB_BY_LIMB)
-static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_platform_packed_lane(const double *restrict pose,
+static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_platform_packed_lane(const double
+    *restrict pose,
     const double *restrict rate, const double *restrict acceleration, double *restrict u)
 {
     typedef three_ups_upu_s_vector4 lanes4;
     const double limb5_S_pose_qw = pose[0], limb5_S_pose_qx = pose[1], limb5_S_pose_qy = pose[2],
-      limb5_S_pose_qz = pose[3], limb5_S_rate_wx = rate[0], limb5_S_rate_wy = rate[1], limb5_S_rate_wz =
-        rate[2],
+      limb5_S_pose_qz = pose[3], limb5_S_rate_wx = rate[0], limb5_S_rate_wy = rate[1], limb5_S_rate_wz = rate[2],
       limb5_S_acc_wx = acceleration[0], limb5_S_acc_wy = acceleration[1], limb5_S_acc_wz = acceleration[2];
     /* platform: geometry; velocities, eq. (6) */
     const double t1 = limb5_S_pose_qw * limb5_S_pose_qw, t2 = limb5_S_pose_qx * limb5_S_pose_qx, t3 = t1 + t2,
-      t4 = limb5_S_pose_qy * limb5_S_pose_qy, t5 = limb5_S_pose_qz * limb5_S_pose_qz, t6 = t4 + t5, t7 = t3 +
-        t6,
-      t9 = 4.0 - 2.0 * t7, t37 = t2 + t5, platform_turn_zz = 1.0 - t9 * (t2 + t4), platform_turn_xx = 1.0 - t6
-        * t9,
+      t4 = limb5_S_pose_qy * limb5_S_pose_qy, t5 = limb5_S_pose_qz * limb5_S_pose_qz, t6 = t4 + t5, t7 = t3 + t6,
+      t9 = 4.0 - 2.0 * t7, t37 = t2 + t5, platform_turn_zz = 1.0 - t9 * (t2 + t4), platform_turn_xx = 1.0 - t6 * t9,
       platform_turn_yy = 1.0 - t9 * t37, t12 = limb5_S_pose_qy * t9, t21 = limb5_S_pose_qx * t12,
       t13 = limb5_S_pose_qw * t12, t10 = limb5_S_pose_qz * t9, t26 = limb5_S_pose_qw * (limb5_S_pose_qx * t9),
       t22 = limb5_S_pose_qw * t10, platform_turn_yx = t21 + t22, platform_turn_xy = t21 - t22,
       t23 = 0.5 * platform_turn_yx, t24 = limb5_S_pose_qy * t10, t11 = limb5_S_pose_qx * t10,
       platform_turn_yz = t24 - t26, platform_turn_zy = t24 + t26, t27 = param_H * platform_turn_yz,
       t74 = 0.5 * platform_turn_zy, t17 = param_H * platform_turn_zz;
-    const lanes4 signed_limb_lower_limb_target_x = (lanes4){t23, t17, t23, t17} - (lanes4){1.0, 1.0, -1.0,
-        -1.0} * (lanes4){t27, t74, t27, t74},
+    const lanes4 signed_limb_lower_limb_target_x = (lanes4){t23, t17, t23, t17} - (lanes4){1.0, 1.0, -1.0, -1.0} *
+        (lanes4){t27, t74, t27, t74},
       lanes_5 = signed_limb_lower_limb_target_x * signed_limb_lower_limb_target_x;
     const double platform_turn_zx = t11 - t13, platform_turn_xz = t11 + t13, t14 = 0.5 * platform_turn_zx,
       t20 = param_H * platform_turn_xz, t76 = 0.5 * platform_turn_xy;
-    const lanes4 signed_limb_lower_limb_target_y = (lanes4){t14, t20, t14, t20} - (lanes4){1.0, 1.0, -1.0,
-        -1.0} * (lanes4){t17, t76, t17, t76},
+    const lanes4 signed_limb_lower_limb_target_y = (lanes4){t14, t20, t14, t20} - (lanes4){1.0, 1.0, -1.0, -1.0} *
+        (lanes4){t17, t76, t17, t76},
       lanes_11 = lanes_5 + signed_limb_lower_limb_target_y * signed_limb_lower_limb_target_y,
       each_limb1_U_0_lever_mz_by_limb1_U2_fz = three_ups_upu_s_vector4_sqrt(lanes_11),
       lanes_12 = 1.0 / each_limb1_U_0_lever_mz_by_limb1_U2_fz,
@@ -1127,10 +1223,9 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_pla
     const lanes4 each_platform_twist_wx = {platform_twist_wx, platform_twist_wy, platform_twist_wx,
         platform_twist_wy},
       lanes_19 = lanes_17 - signed_limb_lower_limb_target_y * each_platform_twist_wx,
-      lanes_20 = lanes_19 * signed_limb_U_0_sin, signed_limb_U_0_cos = signed_limb_lower_limb_target_y *
-        lanes_12,
+      lanes_20 = lanes_19 * signed_limb_U_0_sin, signed_limb_U_0_cos = signed_limb_lower_limb_target_y * lanes_12,
       lanes_21 = lanes_19 * signed_limb_U_0_cos, lanes_22 = signed_limb_lower_limb_target_x *
-        each_platform_twist_wx,
+          each_platform_twist_wx,
       lanes_23 = signed_limb_lower_limb_target_x * each_platform_twist_wz,
       each_platform_twist_wy = {platform_twist_wy, platform_twist_wz, platform_twist_wy, platform_twist_wz},
       lanes_25 = each_limb1_upper_position_x * each_platform_twist_wy - lanes_22,
@@ -1138,15 +1233,13 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_pla
       lanes_29 = lanes_25 * signed_limb_U_0_cos - lanes_20,
       minus_limb_U_0_omega_z = lanes_12 * (lanes_21 + lanes_25 * signed_limb_U_0_sin),
       signed_limb_lower_limb_target_z = each_limb1_upper_position_x + (lanes4){-param_R, param_R, -param_R,
-        -param_R},
+          -param_R},
       limb_lower_limb_length = three_ups_upu_s_vector4_sqrt(lanes_11 + signed_limb_lower_limb_target_z *
-        signed_limb_lower_limb_target_z),
-      lanes_34 = 1.0 / limb_lower_limb_length, signed_limb_lower_sin = signed_limb_lower_limb_target_z *
-        lanes_34,
+          signed_limb_lower_limb_target_z),
+      lanes_34 = 1.0 / limb_lower_limb_length, signed_limb_lower_sin = signed_limb_lower_limb_target_z * lanes_34,
       signed_limb_lower_cos = each_limb1_U_0_lever_mz_by_limb1_U2_fz * lanes_34,
       lanes_36 = signed_limb_lower_cos * lanes_29,
-      signed_limb_lower_omega_z = lanes_34 * (signed_limb_lower_sin * lanes_29 - lanes_27 *
-        signed_limb_lower_cos),
+      signed_limb_lower_omega_z = lanes_34 * (signed_limb_lower_sin * lanes_29 - lanes_27 * signed_limb_lower_cos),
       each_limb1_U2_opening_rate_fx = lanes_36 + lanes_27 * signed_limb_lower_sin,
       signed_limb_lower_omega_x = signed_limb_lower_sin * minus_limb_U_0_omega_z,
       signed_limb_lower_omega_y = signed_limb_lower_cos * minus_limb_U_0_omega_z,
@@ -1158,10 +1251,8 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_pla
     /* platform: accelerations; loop closure; momentum rate, eq. (35) */
     const double t185 = limb5_S_rate_wy * limb5_S_rate_wy, t186 = limb5_S_rate_wz * limb5_S_rate_wz,
       minus_platform_U_still_xx = t185 + t186, t187 = platform_turn_yx * minus_platform_U_still_xx,
-      platform_U_still_xy = limb5_S_rate_wx * limb5_S_rate_wy, platform_U_yx = limb5_S_acc_wz +
-        platform_U_still_xy,
-      minus_platform_U_xy = limb5_S_acc_wz - platform_U_still_xy, t189 = t187 - platform_turn_yy *
-        platform_U_yx,
+      platform_U_still_xy = limb5_S_rate_wx * limb5_S_rate_wy, platform_U_yx = limb5_S_acc_wz + platform_U_still_xy,
+      minus_platform_U_xy = limb5_S_acc_wz - platform_U_still_xy, t189 = t187 - platform_turn_yy * platform_U_yx,
       platform_U_still_xz = limb5_S_rate_wx * limb5_S_rate_wz,
       minus_platform_U_zx = limb5_S_acc_wy - platform_U_still_xz,
       t192 = 0.5 * (t189 + platform_turn_yz * minus_platform_U_zx),
@@ -1196,7 +1287,7 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_pla
     const lanes4 lanes_54 = {t223, t199, t223, t199},
       lanes_58 = lanes_54 + (lanes4){1.0, 1.0, -1.0, -1.0} * (lanes4){t229, t337, t229, t337},
       each_limb1_U2_opening_bias_fz = signed_limb_upper_acc_z + (lanes4){1.0, -1.0, 1.0, -1.0} * (lanes_47 -
-        signed_limb_U_0_sin * lanes_53),
+          signed_limb_U_0_sin * lanes_53),
       limb_U_0_alpha_z = lanes_12 * each_limb1_U2_opening_bias_fz,
       lanes_64 = lanes_48 + signed_limb_U_0_cos * lanes_53,
       signed_limb_lower_alpha_y_2 = signed_limb_lower_alpha_y + signed_limb_lower_cos * limb_U_0_alpha_z,
@@ -1210,25 +1301,23 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_pla
     const lanes4 each_limb1_U_0_sin = {limb1_U_0_sin, signed_limb_U_0_cos[1], signed_limb_U_0_sin[2],
         signed_limb_U_0_cos[3]},
       signed_limb_upper_acc_z_2 = lanes_41 - (lanes_69 * each_limb1_U_0_sin - lanes_68),
-      lanes_71 = limb_lower_limb_length * ((-limb_lower_m) * signed_limb_upper_acc_z_2 -
-        signed_limb_lower_rate_fz),
+      lanes_71 = limb_lower_limb_length * ((-limb_lower_m) * signed_limb_upper_acc_z_2 - signed_limb_lower_rate_fz),
       lanes_72 = (-limb_lower_mx) * signed_limb_upper_acc_z_2 - lanes_71,
       lanes_73 = {gravity_z_limb_lower_mx, gravity_z_limb_lower_mx, -gravity_z_limb_lower_mx,
-        gravity_z_limb_lower_mx},
+          gravity_z_limb_lower_mx},
       lanes_75 = signed_limb_lower_cos * (lanes_72 - (lanes_67 + lanes_73 * each_limb1_U_0_sin)),
       minus_limb_lower_joint_force_my = signed_limb_lower_sin * (k10 * (signed_limb_lower_omega_z *
-        signed_limb_lower_omega_y)) - lanes_75,
+          signed_limb_lower_omega_y)) - lanes_75,
       each_limb1_U2_part_fz = lanes_12 * (limb_U_0_rate_mz - minus_limb_lower_joint_force_my),
       lanes_77 = signed_limb_lower_omega_y * signed_limb_lower_omega_y,
       lanes_78 = signed_limb_U_0_cos * each_limb1_U2_part_fz, lanes_79 = signed_limb_U_0_sin *
-        each_limb1_U2_part_fz,
+          each_limb1_U2_part_fz,
       lanes_81 = each_limb1_U2_opening_rate_fx * (2.0 * signed_limb_lower_omega_z),
       minus_limb_lower_U_xx = lanes_77 + signed_limb_lower_omega_z * signed_limb_lower_omega_z,
       signed_limb_upper_acc_y = lanes_81 - limb_lower_limb_length * signed_limb_lower_U_xy,
       lanes_85 = signed_limb_lower_cos * lanes_64,
       lanes_87 = signed_limb_lower_sin * lanes_64 - signed_limb_lower_cos * lanes_58,
-      signed_limb_lower_alpha_z = lanes_34 * (signed_limb_upper_acc_y + (lanes4){1.0, -1.0, 1.0, -1.0} *
-        lanes_87),
+      signed_limb_lower_alpha_z = lanes_34 * (signed_limb_upper_acc_y + (lanes4){1.0, -1.0, 1.0, -1.0} * lanes_87),
       lanes_91 = lanes_85 + signed_limb_lower_sin * lanes_58,
       signed_limb_lower_U_yx = signed_limb_lower_U_xy + signed_limb_lower_alpha_z,
       lanes_94 = k9 * signed_limb_lower_alpha_z + k8 * signed_limb_lower_U_xy,
@@ -1247,17 +1336,17 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_pla
     const lanes4 lanes_99 = limb_lower_limb_length * (limb_lower_m * signed_limb_upper_acc_y_2 +
         signed_limb_lower_rate_fy),
       each_limb1_U2_part_fy = lanes_34 * (lanes_99 - limb_lower_mx * signed_limb_upper_acc_y_2 -
-        signed_limb_lower_rate_mz),
+          signed_limb_lower_rate_mz),
       minus_limb_upper_acc_x = limb_lower_limb_length * minus_limb_lower_U_xx,
       each_limb1_U2_opening_bias_fx = minus_limb_upper_acc_x - (lanes4){1.0, -1.0, 1.0, -1.0} * lanes_91,
       limb_lower_force_x = limb_lower_m * (each_limb1_U2_opening_bias_fx - (minus_limb_upper_acc_x -
-        limb_lower_acc_x)),
+          limb_lower_acc_x)),
       limb_upper_rate_fx = limb_lower_force_x + limb_lower_mx * minus_limb_lower_U_xx,
       lanes_105 = signed_limb_lower_cos * each_limb1_U2_part_fy,
       lanes_107 = signed_limb_lower_sin * each_limb1_U2_part_fy + signed_limb_lower_cos * limb_upper_rate_fx,
       lanes_109 = lanes_105 - signed_limb_lower_sin * limb_upper_rate_fx,
       lanes_111 = lanes_78 - signed_limb_U_0_sin * lanes_107, lanes_113 = lanes_79 + signed_limb_U_0_cos *
-        lanes_107;
+          lanes_107;
     /* limb1: reciprocal wrenches, eq. (10); geometry; balance, eqs. (40)-(47) */
     const double t41 = platform_turn_yy * limb1_U_0_sin + platform_turn_zy * minus_limb1_U_0_cos,
       limb1_lower_cos = signed_limb_lower_cos[0], t42 = limb1_lower_cos * t41,
@@ -1269,14 +1358,15 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_pla
       limb1_U_0_joint_force_fx_by_limb1_U2_mn = limb1_U_0_sin * minus_limb1_U_0_force_y_by_limb1_U2_mn,
       limb1_U_0_joint_force_fy_by_limb1_U2_mn = minus_limb1_U_0_cos * minus_limb1_U_0_force_y_by_limb1_U2_mn,
       minus_limb1_U2_constraint_mn_couple_x = platform_turn_yy * minus_limb1_U_0_cos - platform_turn_zy *
-        limb1_U_0_sin,
+          limb1_U_0_sin,
       minus_limb1_U_0_lever_mz_by_limb1_U2_mn = limb1_lower_sin * minus_limb1_U2_constraint_mn_couple_x,
       minus_limb1_U2_part_fz_by_limb1_U2_mn = lanes_12[0] * minus_limb1_U_0_lever_mz_by_limb1_U2_mn,
       minus_limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * minus_limb1_U2_constraint_mn_couple_x,
-      t59 = limb1_U_0_joint_force_fx_by_limb1_U2_mn - minus_limb1_U_0_cos * minus_limb1_U2_part_fz_by_limb1_U2_mn, /* platform */
-      t50 = limb1_U_0_joint_force_fy_by_limb1_U2_mn + limb1_U_0_sin * minus_limb1_U2_part_fz_by_limb1_U2_mn; /* platform */
-    const lanes4 lanes_115 = each_limb1_upper_position_x * (lanes4){t59, lanes_111[1], lanes_111[2],
-        lanes_111[3]};
+      t59 = limb1_U_0_joint_force_fx_by_limb1_U2_mn - minus_limb1_U_0_cos * minus_limb1_U2_part_fz_by_limb1_U2_mn,
+          /* platform */
+      t50 = limb1_U_0_joint_force_fy_by_limb1_U2_mn + limb1_U_0_sin * minus_limb1_U2_part_fz_by_limb1_U2_mn;
+          /* platform */
+    const lanes4 lanes_115 = each_limb1_upper_position_x * (lanes4){t59, lanes_111[1], lanes_111[2], lanes_111[3]};
     const double minus_limb1_lower_limb_target_y = signed_limb_lower_limb_target_y[0],
       t68 = minus_limb1_lower_limb_target_y * t59; /* platform */
     const lanes4 each_limb1_U_0_force_z_by_limb1_U2_mn = {limb1_U_0_force_z_by_limb1_U2_mn, -lanes_109[1],
@@ -1286,25 +1376,23 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_pla
       lanes_120 = signed_limb_lower_limb_target_y * each_limb1_U_0_force_z_by_limb1_U2_mn;
     const double t56 = limb1_U_0_sin * limb1_U2_constraint_mn_couple_z,
       t44 = minus_limb1_U_0_cos * limb1_U2_constraint_mn_couple_z,
-      platform_joint_force_mz_by_limb1_U2_mn = t56 + minus_limb1_U_0_cos *
-        minus_limb1_U_0_lever_my_by_limb1_U2_mn + lanes_119[0],
+      platform_joint_force_mz_by_limb1_U2_mn = t56 + minus_limb1_U_0_cos * minus_limb1_U_0_lever_my_by_limb1_U2_mn +
+          lanes_119[0],
       t63 = 1.0 / platform_joint_force_mz_by_limb1_U2_mn; /* platform */
     /* limbs together: reciprocal wrenches, eq. (10); loop closure; balance, eqs. (40)-(47) */
     const lanes4 each_base_lever_fz_by_limb1_U2_fx = signed_limb_U_0_cos * signed_limb_lower_cos;
-    const double minus_base_lever_my_by_limb1_U2_mn = t44 - limb1_U_0_sin *
-        minus_limb1_U_0_lever_my_by_limb1_U2_mn;
+    const double minus_base_lever_my_by_limb1_U2_mn = t44 - limb1_U_0_sin * minus_limb1_U_0_lever_my_by_limb1_U2_mn;
     const lanes4 each_base_lever_fy_by_limb1_U2_fx = signed_limb_U_0_sin * signed_limb_lower_cos;
     const double limb1_U2_opening_mn = t582 + platform_turn_xy * limb1_lower_cos,
       t584 = limb1_U2_opening_mn * limb1_U2_opening_mn;
     const lanes4 lanes_121 = each_limb1_upper_position_x * each_base_lever_fy_by_limb1_U2_fx,
       lanes_122 = signed_limb_lower_limb_target_y * each_base_lever_fy_by_limb1_U2_fx,
-      each_limb1_U2_closure_fx_by_limb5_S_wz = lanes_121 - signed_limb_lower_limb_target_x *
-        signed_limb_lower_sin,
+      each_limb1_U2_closure_fx_by_limb5_S_wz = lanes_121 - signed_limb_lower_limb_target_x * signed_limb_lower_sin,
       lanes_124 = signed_limb_lower_limb_target_y * signed_limb_lower_sin,
-      each_limb1_U2_closure_fx_by_limb5_S_wy = each_limb1_upper_position_x * each_base_lever_fz_by_limb1_U2_fx
-        - lanes_124,
+      each_limb1_U2_closure_fx_by_limb5_S_wy = each_limb1_upper_position_x * each_base_lever_fz_by_limb1_U2_fx -
+          lanes_124,
       each_limb1_U2_closure_fx_by_limb5_S_wx = lanes_122 - signed_limb_lower_limb_target_x *
-        each_base_lever_fz_by_limb1_U2_fx;
+          each_base_lever_fz_by_limb1_U2_fx;
     const double minus_limb1_U2_closure_fx_by_limb5_S_wz = each_limb1_U2_closure_fx_by_limb5_S_wz[0],
       minus_limb2_S_closure_fx_by_limb5_S_wz = -each_limb1_U2_closure_fx_by_limb5_S_wy[1];
     const lanes4 each_limb1_U2_closure_fx_by_limb5_S_wz_2 = {minus_limb1_U2_closure_fx_by_limb5_S_wz,
@@ -1326,7 +1414,7 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_pla
         minus_limb2_S_closure_fx_by_limb5_S_wx, each_limb1_U2_closure_fx_by_limb5_S_wy[2],
         each_limb1_U2_closure_fx_by_limb5_S_wz[3]},
       each_limb5_S_balance_wy_by_limb1_P = lanes_137 - (lanes4){1.0, -1.0, 1.0, 1.0} *
-        each_limb1_U2_closure_fx_by_limb5_S_wy_2,
+          each_limb1_U2_closure_fx_by_limb5_S_wy_2,
       lanes_140 = each_limb5_S_balance_wx_by_limb1_P * each_limb5_S_balance_wx_by_limb1_P,
       lanes_142 = (lanes4){1.0, 1.0, 1.0, -1.0} * each_limb5_S_balance_wy_by_limb1_P,
       lanes_143 = lanes_142 * lanes_142;
@@ -1337,8 +1425,7 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_pla
     const lanes4 lanes_144 = each_limb5_S_balance_wx_by_limb1_P * lanes_142;
     const double t137 = lanes_144[0] - (-lanes_144[1]) + lanes_144[2],
       minus_drives_share_0_1 = t137 - (-lanes_144[3]),
-      value_determinant = t132 - minus_drives_share_0_1 * minus_drives_share_0_1, t140 = 1.0 /
-        value_determinant,
+      value_determinant = t132 - minus_drives_share_0_1 * minus_drives_share_0_1, t140 = 1.0 / value_determinant,
       minus_limb1_upper_position_x = each_limb1_upper_position_x[0],
       t520 = minus_limb1_upper_position_x * lanes_111[0], /* limb1 */
       t273 = minus_limb1_upper_position_x * lanes_113[0]; /* limb1 */
@@ -1347,11 +1434,9 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_pla
       t522 = t520 - minus_limb1_lower_limb_target_x * t249, /* limb1 */
       t274 = minus_limb1_lower_limb_target_y * t249 + t273; /* limb1 */
     const lanes4 lanes_147 = lanes_145 + signed_limb_lower_limb_target_y * lanes_111;
-    const double minus_platform_rate_mx = gravity_z_platform_mz * platform_turn_zy - (t141 + k13 *
-        limb5_S_acc_wx);
+    const double minus_platform_rate_mx = gravity_z_platform_mz * platform_turn_zy - (t141 + k13 * limb5_S_acc_wx);
     /* platform: balance, eqs. (40)-(47); momentum rate, eq. (35); drives */
-    const double t144 = platform_turn_yx * minus_platform_rate_mx, t546 = platform_turn_xx *
-        minus_platform_rate_mx,
+    const double t144 = platform_turn_yx * minus_platform_rate_mx, t546 = platform_turn_xx * minus_platform_rate_mx,
       t512 = platform_turn_zx * minus_platform_rate_mx,
       platform_rate_my = gravity_z_platform_mz * platform_turn_zx - (t145 - k13 * limb5_S_acc_wy),
       t514 = t512 - platform_turn_zy * platform_rate_my, t149 = t144 - platform_turn_yy * platform_rate_my,
@@ -1361,8 +1446,7 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_pla
       t566 = t70 * limb1_U2_part_mn, t550 = t548 - platform_turn_xz * platform_rate_mz,
       t366 = t149 - platform_turn_yz * platform_rate_mz + t274 - lanes_147[1],
       minus_limb5_S_balance_wy = t366 + lanes_131[2] - lanes_147[3] + t544,
-      t545 = minus_limb5_S_balance_wy * drives_share_0_0, t562 = t550 - lanes_147[0] + lanes_119[1] -
-        lanes_147[2],
+      t545 = minus_limb5_S_balance_wy * drives_share_0_0, t562 = t550 - lanes_147[0] + lanes_119[1] - lanes_147[2],
       minus_limb5_S_balance_wx = t562 + lanes_119[3] + t566,
       t573 = minus_limb5_S_balance_wx * drives_share_1_1 + minus_limb5_S_balance_wy * minus_drives_share_0_1,
       t569 = t140 * (t545 + minus_limb5_S_balance_wx * minus_drives_share_0_1), t574 = t140 * t573;
@@ -1374,12 +1458,11 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_pla
     u[3] = -(-limb_P_drive[3]);
     const lanes4 every = (lanes4)((three_ups_upu_s_vector4_mask)(limb_P_drive) | ((limb_lower_limb_length <=
         (lanes4){6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10}) & (limb_lower_limb_length >=
-        -(lanes4){6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10})) |
-        ((each_limb1_U_0_lever_mz_by_limb1_U2_fz <= (lanes4){6.62327e-10, 6.62327e-10, 6.62327e-10,
-        6.62327e-10}) & (each_limb1_U_0_lever_mz_by_limb1_U2_fz >= -(lanes4){6.62327e-10, 6.62327e-10,
-        6.62327e-10, 6.62327e-10})));
-    return fabs(platform_joint_force_mz_by_limb1_U2_mn) <= 4.0171000000000005e-10 || fabs(value_determinant)
-        <= 2.393867125597279e-10 || !(t7 >= 0.999999 && t7 <= 1.000001) || !(t584 <= 1.0e-12) ? (double)NAN :
+        -(lanes4){6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10})) | ((each_limb1_U_0_lever_mz_by_limb1_U2_fz
+        <= (lanes4){6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10}) & (each_limb1_U_0_lever_mz_by_limb1_U2_fz
+        >= -(lanes4){6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10})));
+    return fabs(platform_joint_force_mz_by_limb1_U2_mn) <= 4.0171000000000005e-10 || fabs(value_determinant) <=
+        2.393867125597279e-10 || !(t7 >= 0.999999 && t7 <= 1.000001) || !(t584 <= 1.0e-12) ? (double)NAN :
         ((platform_joint_force_mz_by_limb1_U2_mn + value_determinant) + (every[0] + every[1])) + (every[2] +
         every[3]);
 }

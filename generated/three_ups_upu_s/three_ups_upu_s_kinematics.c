@@ -100,7 +100,8 @@ BODY(three_ups_upu_s_body_poses)(size_t stride, const double *restrict q, double
     const REAL t13 = limb5_S_q_qz * t9, t19 = limb5_S_q_qy * t13, t21 = limb5_S_q_qw * (limb5_S_q_qx * t9);
     RESULT(checked3, poses, 7, t19 - t21);
     RESULT(checked0, poses, 5, t19 + t21);
-    const REAL t11 = limb5_S_q_qy * t9, t15 = limb5_S_q_qx * t13, t14 = limb5_S_q_qw * t13, t16 = limb5_S_q_qw * t11;
+    const REAL t11 = limb5_S_q_qy * t9, t15 = limb5_S_q_qx * t13, t14 = limb5_S_q_qw * t13, t16 = limb5_S_q_qw *
+        t11;
     RESULT(checked1, poses, 6, t15 + t16);
     RESULT(checked2, poses, 2, t15 - t16);
     const REAL t12 = limb5_S_q_qx * t11;
@@ -206,16 +207,20 @@ BODY(three_ups_upu_s_body_twists)(size_t stride, const double *restrict q, const
     RESULT(checked1, twists, 1, t25 + limb5_S_v_wz * (t26 - t28));
     RESULT(checked2, twists, 2, t32 + (t33 + limb5_S_v_wy * platform_turn_zy));
     const REAL limb1_U_0_sin = SINES(sine, 0), limb1_U_0_cos = SINES(cosine, 0);
-    FIRST_LIMB(0, body_twists, 0, stride, v, twists, sine, cosine, param_R * limb1_U_0_sin, param_R * limb1_U_0_cos, &limbs);
+    FIRST_LIMB(0, body_twists, 0, stride, v, twists, sine, cosine, param_R * limb1_U_0_sin, param_R * limb1_U_0_cos,
+        &limbs);
     checked3 = checked3 + ALONE(limbs.checked[0]);
     const REAL minus_limb2_U_0_cos = SINES(sine, 2), limb2_U_0_sin = SINES(cosine, 2);
-    NEXT_LIMB(1, body_twists, 0, stride, v, twists, sine, cosine, param_R * minus_limb2_U_0_cos, param_R * limb2_U_0_sin, &limbs);
+    NEXT_LIMB(1, body_twists, 0, stride, v, twists, sine, cosine, param_R * minus_limb2_U_0_cos, param_R *
+        limb2_U_0_sin, &limbs);
     checked0 = checked0 + ALONE(limbs.checked[1]);
     const REAL limb3_U_0_sin = SINES(sine, 4), limb3_U_0_cos = SINES(cosine, 4);
-    NEXT_LIMB(2, body_twists, 0, stride, v, twists, sine, cosine, param_R * limb3_U_0_sin, param_R * limb3_U_0_cos, &limbs);
+    NEXT_LIMB(2, body_twists, 0, stride, v, twists, sine, cosine, param_R * limb3_U_0_sin, param_R * limb3_U_0_cos,
+        &limbs);
     checked1 = checked1 + ALONE(limbs.checked[2]);
     const REAL minus_limb4_U_0_cos = SINES(sine, 6), limb4_U_0_sin = SINES(cosine, 6);
-    NEXT_LIMB(3, body_twists, 0, stride, v, twists, sine, cosine, param_R * minus_limb4_U_0_cos, param_R * limb4_U_0_sin, &limbs);
+    NEXT_LIMB(3, body_twists, 0, stride, v, twists, sine, cosine, param_R * minus_limb4_U_0_cos, param_R *
+        limb4_U_0_sin, &limbs);
     checked2 = checked2 + ALONE(limbs.checked[3]);
     const REAL limb1_U_v_0 = READ(v, 0);
     WRITE(twists, 6, limb1_U_v_0);
@@ -321,16 +326,20 @@ BODY(three_ups_upu_s_body_twist_rates)(size_t stride, const double *restrict q, 
     RESULT(checked0, twist_rates, 1, t25 + limb5_S_a_wz * (t26 - t28));
     RESULT(checked1, twist_rates, 2, t30 + limb5_S_a_wy * platform_turn_zy + t35);
     const REAL limb1_U_0_sin = SINES(sine, 0), limb1_U_0_cos = SINES(cosine, 0);
-    FIRST_LIMB(0, body_twist_rates, 0, stride, v, a, twist_rates, sine, cosine, param_R * limb1_U_0_sin, param_R * limb1_U_0_cos, &limbs);
+    FIRST_LIMB(0, body_twist_rates, 0, stride, v, a, twist_rates, sine, cosine, param_R * limb1_U_0_sin, param_R *
+        limb1_U_0_cos, &limbs);
     checked2 = checked2 + ALONE(limbs.checked[0]);
     const REAL minus_limb2_U_0_cos = SINES(sine, 2), limb2_U_0_sin = SINES(cosine, 2);
-    NEXT_LIMB(1, body_twist_rates, 0, stride, v, a, twist_rates, sine, cosine, param_R * minus_limb2_U_0_cos, param_R * limb2_U_0_sin, &limbs);
+    NEXT_LIMB(1, body_twist_rates, 0, stride, v, a, twist_rates, sine, cosine, param_R * minus_limb2_U_0_cos,
+        param_R * limb2_U_0_sin, &limbs);
     checked3 = checked3 + ALONE(limbs.checked[1]);
     const REAL limb3_U_0_sin = SINES(sine, 4), limb3_U_0_cos = SINES(cosine, 4);
-    NEXT_LIMB(2, body_twist_rates, 0, stride, v, a, twist_rates, sine, cosine, param_R * limb3_U_0_sin, param_R * limb3_U_0_cos, &limbs);
+    NEXT_LIMB(2, body_twist_rates, 0, stride, v, a, twist_rates, sine, cosine, param_R * limb3_U_0_sin, param_R *
+        limb3_U_0_cos, &limbs);
     checked0 = checked0 + ALONE(limbs.checked[2]);
     const REAL minus_limb4_U_0_cos = SINES(sine, 6), limb4_U_0_sin = SINES(cosine, 6);
-    NEXT_LIMB(3, body_twist_rates, 0, stride, v, a, twist_rates, sine, cosine, param_R * minus_limb4_U_0_cos, param_R * limb4_U_0_sin, &limbs);
+    NEXT_LIMB(3, body_twist_rates, 0, stride, v, a, twist_rates, sine, cosine, param_R * minus_limb4_U_0_cos,
+        param_R * limb4_U_0_sin, &limbs);
     checked1 = checked1 + ALONE(limbs.checked[3]);
     const REAL limb1_U_a_0 = READ(a, 0);
     WRITE(twist_rates, 6, limb1_U_a_0);
@@ -388,7 +397,8 @@ BODY(three_ups_upu_s_forward_kinematics)(size_t stride, const double *restrict q
     WRITE(positions, 28, limb4_upper_position_y);
     REAL checked3 = limb4_upper_position_y;
     RESULT(checked0, positions, 22, E_positions_y - t28);
-    const REAL t11 = limb5_S_q_qx * t10, t22 = limb5_S_q_qw * t10, t13 = limb5_S_q_qw * t12, t21 = limb5_S_q_qx * t12,
+    const REAL t11 = limb5_S_q_qx * t10, t22 = limb5_S_q_qw * t10, t13 = limb5_S_q_qw * t12, t21 = limb5_S_q_qx *
+        t12,
       platform_turn_zx = t11 - t13, E_positions_x = param_H * (t11 + t13);
     WRITE(positions, 3, E_positions_x);
     const REAL t24 = 0.5 * platform_turn_zx;
@@ -429,7 +439,8 @@ BODY(three_ups_upu_s_point_motion)(size_t stride, const double *restrict q, cons
     const double *restrict a, double *restrict positions, double *restrict velocities,
     double *restrict accelerations, double *restrict total)
 {
-    const FOURS fours = (((FOUR(a, 0) + FOUR(a, 4)) + (FOUR(a, 8) + FOUR(q, 0))) + ((FOUR(q, 4) + FOUR(q, 8)) + (FOUR(v, 0) + FOUR(v, 4)))) + FOUR(v, 8);
+    const FOURS fours = (((FOUR(a, 0) + FOUR(a, 4)) + (FOUR(a, 8) + FOUR(q, 0))) + ((FOUR(q, 4) + FOUR(q, 8)) +
+        (FOUR(v, 0) + FOUR(v, 4)))) + FOUR(v, 8);
     REAL checked0 = SUM_OF_FOUR(fours);
     /* limb5_S: geometry; velocities, eq. (6); results */
     const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t1 = limb5_S_q_qw * limb5_S_q_qw,
@@ -451,7 +462,8 @@ BODY(three_ups_upu_s_point_motion)(size_t stride, const double *restrict q, cons
     const REAL limb2_lower_limb_target_y = E_positions_x - t25;
     WRITE(positions, 21, limb2_lower_limb_target_y);
     const REAL limb5_S_a_wy = READ(a, 13), t71 = limb4_lower_limb_target_y * platform_twist_wz,
-      t91 = limb5_S_a_wy * platform_turn_xy, t43 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy,
+      t91 = limb5_S_a_wy * platform_turn_xy, t43 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy *
+          platform_turn_xy,
       platform_twist_wx = t43 + limb5_S_v_wz * platform_turn_xz, limb5_S_a_wz = READ(a, 14),
       t93 = limb5_S_a_wz * platform_turn_xz, t29 = 0.5 * platform_turn_zy, t81 = limb5_S_a_wy * platform_turn_zy,
       E_positions_z = param_H * platform_turn_zz;
@@ -464,7 +476,8 @@ BODY(three_ups_upu_s_point_motion)(size_t stride, const double *restrict q, cons
     WRITE(velocities, 28, C4_velocities_y);
     const REAL t177 = platform_twist_wx * C4_velocities_y, t166 = platform_twist_wz * C4_velocities_y,
       t32 = limb5_S_v_wy * platform_turn_yy + limb5_S_v_wx * platform_turn_yx,
-      platform_twist_wy = t32 + limb5_S_v_wz * platform_turn_yz, t69 = limb4_lower_limb_target_x * platform_twist_wy,
+      platform_twist_wy = t32 + limb5_S_v_wz * platform_turn_yz, t69 = limb4_lower_limb_target_x *
+          platform_twist_wy,
       E_positions_y = param_H * platform_turn_yz;
     WRITE(positions, 4, E_positions_y);
     const REAL t78 = limb5_S_a_wz * platform_turn_yz, t28 = 0.5 * platform_turn_yy,
@@ -483,7 +496,8 @@ BODY(three_ups_upu_s_point_motion)(size_t stride, const double *restrict q, cons
       C4_accelerations_z = t174 - limb4_lower_limb_target_y * platform_twist_rate_wy + t179;
     WRITE(accelerations, 29, C4_accelerations_z);
     REAL checked1 = C4_accelerations_z;
-    const REAL C4_velocities_z = limb4_upper_position_y * platform_twist_wx - limb4_lower_limb_target_y * platform_twist_wy;
+    const REAL C4_velocities_z = limb4_upper_position_y * platform_twist_wx - limb4_lower_limb_target_y *
+        platform_twist_wy;
     WRITE(velocities, 29, C4_velocities_z);
     const REAL t173 = t171 - platform_twist_wx * C4_velocities_z, t167 = platform_twist_wy * C4_velocities_z - t166,
       platform_twist_rate_wz = limb5_S_a_wx * platform_turn_zx + t81 + t83,
@@ -522,7 +536,8 @@ BODY(three_ups_upu_s_point_motion)(size_t stride, const double *restrict q, cons
       t155 = t153 - platform_twist_wx * C3_velocities_z, t149 = platform_twist_wy * C3_velocities_z - t148;
     RESULT(checked1, accelerations, 25, t150 - limb3_lower_limb_target_y * platform_twist_rate_wx + t155);
     RESULT(checked2, accelerations, 24, limb3_lower_limb_target_y * platform_twist_rate_wy - t145 + t149);
-    const REAL C2_velocities_y = limb2_lower_limb_target_y * platform_twist_wz - limb2_lower_limb_target_x * platform_twist_wx;
+    const REAL C2_velocities_y = limb2_lower_limb_target_y * platform_twist_wz - limb2_lower_limb_target_x *
+        platform_twist_wx;
     WRITE(velocities, 22, C2_velocities_y);
     const REAL t141 = platform_twist_wx * C2_velocities_y, t130 = platform_twist_wz * C2_velocities_y,
       C2_velocities_x = limb2_lower_limb_target_x * platform_twist_wy - limb2_upper_position_y * platform_twist_wz;
@@ -568,8 +583,10 @@ BODY(three_ups_upu_s_point_motion)(size_t stride, const double *restrict q, cons
     WRITE(velocities, 3, E_velocities_x);
     const REAL t96 = platform_twist_wz * E_velocities_x, t104 = t102 - platform_twist_wy * E_velocities_x,
       t94 = E_positions_z * platform_twist_rate_wx, t79 = E_positions_z * platform_twist_rate_wy;
-    RESULT(checked1, accelerations, 5, E_positions_y * platform_twist_rate_wx - E_positions_x * platform_twist_rate_wy + t104);
-    const REAL t85 = t79 - E_positions_y * platform_twist_rate_wz, t95 = E_positions_x * platform_twist_rate_wz - t94,
+    RESULT(checked1, accelerations, 5, E_positions_y * platform_twist_rate_wx - E_positions_x *
+        platform_twist_rate_wy + t104);
+    const REAL t85 = t79 - E_positions_y * platform_twist_rate_wz, t95 = E_positions_x * platform_twist_rate_wz -
+        t94,
       E_velocities_z = E_positions_y * platform_twist_wx - E_positions_x * platform_twist_wy;
     WRITE(velocities, 5, E_velocities_z);
     RESULT(checked2, accelerations, 4, t95 + (t96 - platform_twist_wx * E_velocities_z));
@@ -823,7 +840,8 @@ BODY(three_ups_upu_s_joint_screws)(size_t stride, const double *restrict q, doub
     const REAL limb1_upper_position_z = limb1_upper_offset_x * limb1_lower_rotation_zx;
     /* limb1: screws, eq. (5); geometry */
     const REAL t27 = platform_turn_yy * limb1_upper_position_z;
-    RESULT(checked3, screws, 28, platform_turn_xy * limb1_upper_position_z + platform_turn_zy * minus_limb1_upper_position_x);
+    RESULT(checked3, screws, 28, platform_turn_xy * limb1_upper_position_z + platform_turn_zy *
+        minus_limb1_upper_position_x);
     const REAL t28 = platform_turn_zy * minus_limb1_upper_position_y + t27;
     checked0 = checked0 + t28;
     WRITE(screws, 27, -t28);
@@ -1003,7 +1021,8 @@ BODY(three_ups_upu_s_platform_jacobian)(size_t stride, const double *restrict q,
     const REAL t13 = limb5_S_q_qz * t9, t19 = limb5_S_q_qy * t13, t21 = limb5_S_q_qw * (limb5_S_q_qx * t9);
     RESULT(checked0, jacobian, 85, t19 - t21);
     RESULT(checked1, jacobian, 80, t19 + t21);
-    const REAL t11 = limb5_S_q_qy * t9, t15 = limb5_S_q_qx * t13, t14 = limb5_S_q_qw * t13, t16 = limb5_S_q_qw * t11;
+    const REAL t11 = limb5_S_q_qy * t9, t15 = limb5_S_q_qx * t13, t14 = limb5_S_q_qw * t13, t16 = limb5_S_q_qw *
+        t11;
     RESULT(checked2, jacobian, 84, t15 + t16);
     RESULT(checked3, jacobian, 74, t15 - t16);
     const REAL t12 = limb5_S_q_qx * t11;
@@ -1037,7 +1056,8 @@ BODY(three_ups_upu_s_joint_rates)(size_t stride, const double *restrict q, const
     /* limb5_S: geometry; velocities, eq. (6) */
     const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t2 = limb5_S_q_qw * limb5_S_q_qw,
       t3 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t4 = t2 + t3, t5 = limb5_S_q_qy * limb5_S_q_qy,
-      limb5_S_q_qz = READ(q, 15), t6 = limb5_S_q_qz * limb5_S_q_qz, t7 = t5 + t6, t8 = t4 + t7, t10 = 4.0 - 2.0 * t8,
+      limb5_S_q_qz = READ(q, 15), t6 = limb5_S_q_qz * limb5_S_q_qz, t7 = t5 + t6, t8 = t4 + t7, t10 = 4.0 - 2.0 *
+          t8,
       limb5_S_v_wx = READ(v, 12), t29 = limb5_S_v_wx * (1.0 - t7 * t10), t44 = t3 + t5,
       platform_turn_yy = 1.0 - t10 * (t3 + t6), limb5_S_v_wz = READ(v, 14), t46 = limb5_S_v_wz * (1.0 - t10 * t44),
       t11 = limb5_S_q_qy * t10, t12 = limb5_S_q_qx * t11, t33 = limb5_S_q_qw * t11, t13 = limb5_S_q_qz * t10,
@@ -1245,7 +1265,8 @@ BODY(three_ups_upu_s_inverse_kinematics)(size_t stride, const double *restrict p
     WRITE(q, 14, limb5_S_pose_qy);
     const REAL t3 = t1 + t2, t4 = limb5_S_pose_qy * limb5_S_pose_qy, limb5_S_pose_qz = READ(pose, 3);
     WRITE(q, 15, limb5_S_pose_qz);
-    const REAL t5 = limb5_S_pose_qz * limb5_S_pose_qz, t6 = t4 + t5, t7 = t3 + t6, t9 = 4.0 - 2.0 * t7, t30 = t2 + t5,
+    const REAL t5 = limb5_S_pose_qz * limb5_S_pose_qz, t6 = t4 + t5, t7 = t3 + t6, t9 = 4.0 - 2.0 * t7, t30 = t2 +
+        t5,
       t21 = param_H * (1.0 - t9 * (t2 + t4)), platform_turn_yy = 1.0 - t9 * t30, t29 = 0.5 * (1.0 - t6 * t9),
       t10 = limb5_S_pose_qy * t9, t11 = limb5_S_pose_qx * t10, t24 = limb5_S_pose_qw * t10,
       t12 = limb5_S_pose_qz * t9, t17 = limb5_S_pose_qw * (limb5_S_pose_qx * t9), t13 = limb5_S_pose_qw * t12,
@@ -1264,7 +1285,8 @@ BODY(three_ups_upu_s_inverse_kinematics)(size_t stride, const double *restrict p
     const EACH4 given_5 = {t26, t32, t26, t32};
     FIRST_LIMB(0, inverse_kinematics, 0, stride, q, given, given_2, given_3, given_4, given_5, given_6, &limbs);
     REAL checked0 = ALONE(limbs.checked[0]);
-    const REAL t36 = limbs.signed_lower_sin[0] * (platform_turn_yy * limbs.signed_U_0_sin[0] + platform_turn_zy * limbs.signed_U_0_cos[0]), /* limb1 */
+    const REAL t36 = limbs.signed_lower_sin[0] * (platform_turn_yy * limbs.signed_U_0_sin[0] + platform_turn_zy *
+        limbs.signed_U_0_cos[0]), /* limb1 */
       limb1_U2_opening_mn = t36 + platform_turn_xy * limbs.signed_lower_cos[0],
       t38 = limb1_U2_opening_mn * limb1_U2_opening_mn, limb1_U_q_1 = atan2(limbs.t1[0], limbs.t2[0]);
     WRITE(q, 1, limb1_U_q_1);
@@ -1299,7 +1321,8 @@ BODY(three_ups_upu_s_drive_positions)(size_t stride, const double *restrict pose
 {
     /* limb5_S: geometry */
     const REAL limb5_S_pose_qw = READ(pose, 0), limb5_S_pose_qx = READ(pose, 1),
-      t1 = limb5_S_pose_qw * limb5_S_pose_qw, t2 = limb5_S_pose_qx * limb5_S_pose_qx, limb5_S_pose_qy = READ(pose, 2),
+      t1 = limb5_S_pose_qw * limb5_S_pose_qw, t2 = limb5_S_pose_qx * limb5_S_pose_qx, limb5_S_pose_qy = READ(pose,
+          2),
       t3 = t1 + t2, t4 = limb5_S_pose_qy * limb5_S_pose_qy, limb5_S_pose_qz = READ(pose, 3),
       t5 = limb5_S_pose_qz * limb5_S_pose_qz, t6 = t4 + t5, t7 = t3 + t6, t9 = 4.0 - 2.0 * t7, t38 = t2 + t5,
       t25 = param_H * (1.0 - t9 * (t2 + t4)), t29 = 0.5 * (1.0 - t6 * t9), platform_turn_yy = 1.0 - t9 * t38,
@@ -1317,7 +1340,8 @@ BODY(three_ups_upu_s_drive_positions)(size_t stride, const double *restrict pose
     /* limb1: geometry; results; loop closure */
     const REAL t27 = t19 + minus_limb1_lower_limb_target_y * minus_limb1_lower_limb_target_y,
       limb1_lower_limb_target_z = param_R - (t29 - t30), minus_limb3_lower_limb_target_z = param_R - (t29 + t30),
-      limb3_P_positions = SQRT(t45 + minus_limb3_lower_limb_target_z * minus_limb3_lower_limb_target_z) - limb_upper_phase;
+      limb3_P_positions = SQRT(t45 + minus_limb3_lower_limb_target_z * minus_limb3_lower_limb_target_z) -
+          limb_upper_phase;
     WRITE(positions, 2, limb3_P_positions);
     REAL checked0 = limb3_P_positions;
     const REAL limb1_lower_limb_length = SQRT(t27 + limb1_lower_limb_target_z * limb1_lower_limb_target_z),
@@ -1333,7 +1357,8 @@ BODY(three_ups_upu_s_drive_positions)(size_t stride, const double *restrict pose
       t40 = 0.5 * platform_turn_yy, /* platform */
       t58 = limb1_lower_sin * (t55 + platform_turn_zy * minus_limb1_U_0_cos),
       t33 = 0.5 * platform_turn_zy, /* platform */
-      limb1_U2_opening_mn = t58 + platform_turn_xy * limb1_lower_cos, t60 = limb1_U2_opening_mn * limb1_U2_opening_mn,
+      limb1_U2_opening_mn = t58 + platform_turn_xy * limb1_lower_cos, t60 = limb1_U2_opening_mn *
+          limb1_U2_opening_mn,
       t35 = 0.5 * platform_turn_xy, /* platform */
       limb2_lower_limb_target_x = t25 - t33, limb4_lower_limb_target_x = t25 + t33,
       t34 = limb2_lower_limb_target_x * limb2_lower_limb_target_x, /* limb2 */
@@ -1346,7 +1371,8 @@ BODY(three_ups_upu_s_drive_positions)(size_t stride, const double *restrict pose
     WRITE(positions, 1, limb2_P_positions);
     REAL checked2 = limb2_P_positions;
     const REAL minus_limb4_lower_limb_target_z = param_R - limb4_upper_position_y,
-      limb4_P_positions = SQRT(t50 + minus_limb4_lower_limb_target_z * minus_limb4_lower_limb_target_z) - limb_upper_phase;
+      limb4_P_positions = SQRT(t50 + minus_limb4_lower_limb_target_z * minus_limb4_lower_limb_target_z) -
+          limb_upper_phase;
     WRITE(positions, 3, limb4_P_positions);
     REAL checked3 = limb4_P_positions;
     /* else status 5: no rotation */
@@ -1422,7 +1448,8 @@ BODY(three_ups_upu_s_inverse_velocity)(size_t stride, const double *restrict pos
     LIMBS(inverse_velocity) limbs;
     /* limb5_S: geometry; velocities, eq. (6) */
     const REAL limb5_S_pose_qw = READ(pose, 0), limb5_S_pose_qx = READ(pose, 1),
-      t1 = limb5_S_pose_qw * limb5_S_pose_qw, t2 = limb5_S_pose_qx * limb5_S_pose_qx, limb5_S_pose_qy = READ(pose, 2),
+      t1 = limb5_S_pose_qw * limb5_S_pose_qw, t2 = limb5_S_pose_qx * limb5_S_pose_qx, limb5_S_pose_qy = READ(pose,
+          2),
       t3 = t1 + t2, t4 = limb5_S_pose_qy * limb5_S_pose_qy, limb5_S_pose_qz = READ(pose, 3),
       t5 = limb5_S_pose_qz * limb5_S_pose_qz, t6 = t4 + t5, t7 = t3 + t6, t9 = 4.0 - 2.0 * t7, t30 = t2 + t5,
       platform_turn_zz = 1.0 - t9 * (t2 + t4), platform_turn_xx = 1.0 - t6 * t9, platform_turn_yy = 1.0 - t9 * t30,
@@ -1456,18 +1483,23 @@ BODY(three_ups_upu_s_inverse_velocity)(size_t stride, const double *restrict pos
     const REAL t32 = 0.5 * platform_turn_yy;
     const EACH4 given_6 = {t26, t32, t26, t32};
     FIRST_LIMB(3, inverse_velocity, 0, stride, given, given_2, given_3, given_4, given_5, given_6, &limbs);
-    FIRST_LIMB(3, inverse_velocity, 1, stride, v, platform_twist_wz_2, platform_twist_wx_2, platform_twist_wy_2, &limbs);
+    FIRST_LIMB(3, inverse_velocity, 1, stride, v, platform_twist_wz_2, platform_twist_wx_2, platform_twist_wy_2,
+        &limbs);
     REAL checked0 = ALONE(limbs.checked[3]);
     NEXT_LIMB(2, inverse_velocity, 0, stride, given, given_2, given_3, given_4, given_5, given_6, &limbs);
-    NEXT_LIMB(2, inverse_velocity, 1, stride, v, platform_twist_wz_2, platform_twist_wx_2, platform_twist_wy_2, &limbs);
+    NEXT_LIMB(2, inverse_velocity, 1, stride, v, platform_twist_wz_2, platform_twist_wx_2, platform_twist_wy_2,
+        &limbs);
     REAL checked1 = ALONE(limbs.checked[2]);
     NEXT_LIMB(1, inverse_velocity, 0, stride, given, given_2, given_3, given_4, given_5, given_6, &limbs);
     NEXT_LIMB(0, inverse_velocity, 0, stride, given, given_2, given_3, given_4, given_5, given_6, &limbs);
-    NEXT_LIMB(1, inverse_velocity, 1, stride, v, platform_twist_wz_2, platform_twist_wx_2, platform_twist_wy_2, &limbs);
+    NEXT_LIMB(1, inverse_velocity, 1, stride, v, platform_twist_wz_2, platform_twist_wx_2, platform_twist_wy_2,
+        &limbs);
     REAL checked2 = ALONE(limbs.checked[1]);
-    NEXT_LIMB(0, inverse_velocity, 1, stride, v, platform_twist_wz_2, platform_twist_wx_2, platform_twist_wy_2, &limbs);
+    NEXT_LIMB(0, inverse_velocity, 1, stride, v, platform_twist_wz_2, platform_twist_wx_2, platform_twist_wy_2,
+        &limbs);
     REAL checked3 = ALONE(limbs.checked[0]);
-    const REAL t48 = limbs.signed_lower_sin[0] * (platform_turn_yy * limbs.signed_U_0_sin[0] + platform_turn_zy * limbs.signed_U_0_cos[0]), /* limb1 */
+    const REAL t48 = limbs.signed_lower_sin[0] * (platform_turn_yy * limbs.signed_U_0_sin[0] + platform_turn_zy *
+        limbs.signed_U_0_cos[0]), /* limb1 */
       limb1_U2_opening_mn = platform_turn_xy * limbs.signed_lower_cos[0] - t48,
       t50 = limb1_U2_opening_mn * limb1_U2_opening_mn;
     /* else status 5: no rotation */
@@ -1476,8 +1508,11 @@ BODY(three_ups_upu_s_inverse_velocity)(size_t stride, const double *restrict pos
     /* else status 6: not on the mechanism */
     NOT_ABOVE(t50, 1.0e-12, 6);
     FINITE_UNLESS4( /* status 1 where a pivot is smaller than its limit: */
-        SMALL4(limbs.lower_limb_length, 6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10) OR /* where the points of limb_lower coincide */
-        SMALL4(limbs.signed_U_0_lever_mz_by_S_fz, 6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10), /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
+        SMALL4(limbs.lower_limb_length, 6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10) OR
+            /* where the points of limb_lower coincide */
+        SMALL4(limbs.signed_U_0_lever_mz_by_S_fz, 6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10),
+            /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the
+               reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
         (checked0 + checked1) + (checked2 + checked3), limbs.checked);
 }
 #endif
@@ -1606,7 +1641,8 @@ BODY(three_ups_upu_s_joint_displacements)(size_t stride, const double *restrict 
     const REAL limb1_lower_sin = SINES(sine, 1),
       minus_limb1_U2_constraint_mn_couple_z = limb1_lower_sin * platform_turn_xy - t24;
     /* limb1: results; geometry */
-    const REAL limb1_U2_displacements_0 = atan2(minus_limb1_U2_constraint_mn_couple_z, limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy);
+    const REAL limb1_U2_displacements_0 = atan2(minus_limb1_U2_constraint_mn_couple_z, limb1_U_0_cos *
+        platform_turn_yy + limb1_U_0_sin * platform_turn_zy);
     WRITE(displacements, 3, limb1_U2_displacements_0);
     REAL checked1 = limb1_U2_displacements_0;
     const REAL limb1_lower_rotation_yy = limb1_U_0_sin * limb1_lower_sin,
@@ -1654,7 +1690,8 @@ BODY(three_ups_upu_s_joint_displacements)(size_t stride, const double *restrict 
       t130 = t95 + (t104 + (t107 + (1.0 - 2.0 * t95))), t131 = LESS(t125, t130),
       t176 = 1.0 / (2.0 * SQRT(SELECT(t131, t130, t125))), t169 = t165 - t168, t170 = SELECT(t117, t116, t169),
       t180 = SELECT(t117, t169, t111), t188 = -(t165 + t168),
-      t134 = limb2_U_0_sin * platform_turn_zx + minus_limb2_U_0_cos * platform_turn_xx, t139 = limb2_lower_sin * t134,
+      t134 = limb2_U_0_sin * platform_turn_zx + minus_limb2_U_0_cos * platform_turn_xx, t139 = limb2_lower_sin *
+          t134,
       t137 = limb2_lower_cos * t134 - limb2_lower_sin * platform_turn_yx, t155 = 0.5 * t137, t138 = k1 * t137,
       t141 = t139 + limb2_lower_cos * platform_turn_yx, t157 = t155 + k1 * t141, t143 = t138 - 0.5 * t141,
       t147 = k1 * t146, t160 = 0.5 * t146 - k1 * t150, t152 = t147 + 0.5 * t150, t161 = t157 + t160,
@@ -1664,7 +1701,8 @@ BODY(three_ups_upu_s_joint_displacements)(size_t stride, const double *restrict 
       t182 = SELECT(t131, t178, SELECT(t124, t179, t180)),
       t192 = SELECT(t131, t188, SELECT(t124, t123, SELECT(t117, t162, t179))) * t176, t198 = t197 * t176,
       t183 = t182 * t176, t201 = SQRT(t177 * t177 + t192 * t192 + t198 * t198),
-      t185 = SELECT(LESS(t183, 0.0), (-1.0), 1.0), t205 = 2.0 * atan2(t201, t183 * t185), t202 = LESS(t201, 1.0e-08),
+      t185 = SELECT(LESS(t183, 0.0), (-1.0), 1.0), t205 = 2.0 * atan2(t201, t183 * t185), t202 = LESS(t201,
+          1.0e-08),
       t209 = t185 * SELECT(t202, 2.0, t205 / SELECT(t202, 1.0, t201)), limb2_S_displacements_x = t177 * t209;
     WRITE(displacements, 8, limb2_S_displacements_x);
     REAL checked3 = limb2_S_displacements_x;
@@ -1691,8 +1729,10 @@ BODY(three_ups_upu_s_joint_displacements)(size_t stride, const double *restrict 
       t252 = limb3_U_0_cos * platform_turn_yy + limb3_U_0_sin * platform_turn_zy, t268 = t252 + t267,
       t298 = limb3_U_0_sin * platform_turn_yy - t297, t291 = 0.5 * t228, t249 = k1 * t228 - 0.5 * t247,
       t270 = -(t249 + t268), t293 = t291 + k1 * t247, t264 = t249 + (t252 + (1.0 + t261)), t271 = LESS(t264, t270),
-      t272 = SELECT(t271, t270, t264), t278 = -(t249 + (t252 + (t261 - (1.0 + 2.0 * t252)))), t279 = LESS(t272, t278),
-      t280 = SELECT(t279, t278, t272), t286 = -(t249 + (t252 + (t261 - (1.0 + 2.0 * t249)))), t287 = LESS(t280, t286),
+      t272 = SELECT(t271, t270, t264), t278 = -(t249 + (t252 + (t261 - (1.0 + 2.0 * t252)))), t279 = LESS(t272,
+          t278),
+      t280 = SELECT(t279, t278, t272), t286 = -(t249 + (t252 + (t261 - (1.0 + 2.0 * t249)))), t287 = LESS(t280,
+          t286),
       t331 = 1.0 / (2.0 * SQRT(SELECT(t287, t286, t280))), t311 = 0.5 * t310, t320 = k1 * t310 - 0.5 * t314,
       t316 = t311 + k1 * t314, t303 = minus_limb3_lower_sin * t298,
       t301 = limb3_lower_cos * t298 + minus_limb3_lower_sin * platform_turn_xy,
@@ -1704,7 +1744,8 @@ BODY(three_ups_upu_s_joint_displacements)(size_t stride, const double *restrict 
       t337 = SELECT(t287, t333, SELECT(t279, t334, t335)),
       t347 = SELECT(t287, t343, SELECT(t279, t278, SELECT(t271, t317, t334))) * t331, t353 = t352 * t331,
       t338 = t337 * t331, t356 = SQRT(t332 * t332 + t347 * t347 + t353 * t353),
-      t340 = SELECT(LESS(t338, 0.0), (-1.0), 1.0), t360 = 2.0 * atan2(t356, t338 * t340), t357 = LESS(t356, 1.0e-08),
+      t340 = SELECT(LESS(t338, 0.0), (-1.0), 1.0), t360 = 2.0 * atan2(t356, t338 * t340), t357 = LESS(t356,
+          1.0e-08),
       t364 = t340 * SELECT(t357, 2.0, t360 / SELECT(t357, 1.0, t356));
     RESULT(checked2, displacements, 14, t332 * t364);
     RESULT(checked3, displacements, 15, t347 * t364);
@@ -1713,31 +1754,38 @@ BODY(three_ups_upu_s_joint_displacements)(size_t stride, const double *restrict 
     const REAL limb4_U_0_sin = SINES(cosine, 6), minus_limb4_U_0_cos = SINES(sine, 6);
     /* limb4: results; geometry */
     const REAL t437 = minus_limb4_U_0_cos * t366, t370 = limb4_U_0_sin * t366 + minus_limb4_U_0_cos * t368,
-      t439 = t437 - limb4_U_0_sin * t368, limb4_lower_cos = SINES(cosine, 7), minus_limb4_lower_sin = SINES(sine, 7),
+      t439 = t437 - limb4_U_0_sin * t368, limb4_lower_cos = SINES(cosine, 7), minus_limb4_lower_sin = SINES(sine,
+          7),
       t376 = minus_limb4_lower_sin * t370, t374 = limb4_lower_cos * t370 + minus_limb4_lower_sin * t372,
-      t378 = t376 - limb4_lower_cos * t372, t375 = k1 * t374, t401 = 0.5 * t374 + k1 * t378, t380 = t375 - 0.5 * t378,
+      t378 = t376 - limb4_lower_cos * t372, t375 = k1 * t374, t401 = 0.5 * t374 + k1 * t378, t380 = t375 - 0.5 *
+          t378,
       t402 = 0.5 * t401, t466 = k1 * t401, t441 = minus_limb4_U_0_cos * t382,
       t386 = limb4_U_0_sin * t382 + minus_limb4_U_0_cos * t384, t443 = t441 - limb4_U_0_sin * t384,
       t392 = minus_limb4_lower_sin * t386, t390 = limb4_lower_cos * t386 + minus_limb4_lower_sin * t388,
-      t394 = t392 - limb4_lower_cos * t388, t391 = k1 * t390, t405 = 0.5 * t390 + k1 * t394, t396 = t391 - 0.5 * t394,
+      t394 = t392 - limb4_lower_cos * t388, t391 = k1 * t390, t405 = 0.5 * t390 + k1 * t394, t396 = t391 - 0.5 *
+          t394,
       t407 = t402 + k1 * t405, t468 = t466 - 0.5 * t405, t423 = 1.0 + 2.0 * t407,
       t446 = limb4_U_0_sin * platform_turn_zx,
       t410 = minus_limb4_U_0_cos * platform_turn_zx - limb4_U_0_sin * platform_turn_xx, t425 = t407 - (t410 + t423),
       t448 = t446 + minus_limb4_U_0_cos * platform_turn_xx, t469 = 0.5 * t380, t398 = k1 * t380 - 0.5 * t396,
       t427 = -(t398 + t425), t471 = t469 + k1 * t396, t419 = -(t398 + (t407 - (t410 + (1.0 - 2.0 * t410)))),
       t413 = t398 + (t407 + (1.0 - t410)), t420 = LESS(t413, t419), t421 = SELECT(t420, t419, t413),
-      t428 = LESS(t421, t427), t429 = SELECT(t428, t427, t421), t435 = -(t398 + (t407 - (t410 + (1.0 + 2.0 * t398)))),
+      t428 = LESS(t421, t427), t429 = SELECT(t428, t427, t421), t435 = -(t398 + (t407 - (t410 + (1.0 + 2.0 *
+          t398)))),
       t436 = LESS(t429, t435), t479 = 1.0 / (2.0 * SQRT(SELECT(t436, t435, t429))), t472 = t468 - t471,
       t473 = SELECT(t420, t419, t472), t483 = SELECT(t420, t472, t413), t491 = -(t468 + t471),
       t453 = minus_limb4_lower_sin * t448, t451 = limb4_lower_cos * t448 + minus_limb4_lower_sin * platform_turn_yx,
       t455 = t453 - limb4_lower_cos * platform_turn_yx, t452 = k1 * t451, t461 = 0.5 * t451 + k1 * t455,
       t457 = t452 - 0.5 * t455, t440 = k1 * t439, t464 = 0.5 * t439 + k1 * t443, t445 = t440 - 0.5 * t443,
-      t465 = t461 - t464, t481 = t461 + t464, t474 = SELECT(t428, t465, t473), t458 = t445 - t457, t482 = t457 + t445,
-      t480 = SELECT(t436, t458, t474) * t479, t500 = SELECT(t436, t435, SELECT(t428, t491, SELECT(t420, t458, t481))),
+      t465 = t461 - t464, t481 = t461 + t464, t474 = SELECT(t428, t465, t473), t458 = t445 - t457, t482 = t457 +
+          t445,
+      t480 = SELECT(t436, t458, t474) * t479, t500 = SELECT(t436, t435, SELECT(t428, t491, SELECT(t420, t458,
+          t481))),
       t485 = SELECT(t436, t481, SELECT(t428, t482, t483)),
       t495 = SELECT(t436, t491, SELECT(t428, t427, SELECT(t420, t465, t482))) * t479, t501 = t500 * t479,
       t486 = t485 * t479, t504 = SQRT(t480 * t480 + t495 * t495 + t501 * t501),
-      t488 = SELECT(LESS(t486, 0.0), (-1.0), 1.0), t508 = 2.0 * atan2(t504, t486 * t488), t505 = LESS(t504, 1.0e-08),
+      t488 = SELECT(LESS(t486, 0.0), (-1.0), 1.0), t508 = 2.0 * atan2(t504, t486 * t488), t505 = LESS(t504,
+          1.0e-08),
       t512 = t488 * SELECT(t505, 2.0, t508 / SELECT(t505, 1.0, t504));
     RESULT(checked1, displacements, 20, t480 * t512);
     RESULT(checked2, displacements, 21, t495 * t512);

@@ -80,15 +80,19 @@ BODY(three_ups_upu_s_closure)(size_t stride, const double *restrict q, double *r
       t18 = param_H * platform_turn_xz;
     FIRST_LIMB(0, closure, 0, stride, q, residual_, sine, cosine, t17, t14, t18, t23, t27, t31, &limbs);
     NEXT_LIMB(2, closure, 0, stride, q, residual_, sine, cosine, t17, t14, t18, t23, t27, t31, &limbs);
-    FIRST_LIMB(0, closure, 1, stride, residual_, sine, cosine, limbs.t5[0], limbs.t2[0], limbs.t4[0], limbs.t1[0], &limbs);
+    FIRST_LIMB(0, closure, 1, stride, residual_, sine, cosine, limbs.t5[0], limbs.t2[0], limbs.t4[0], limbs.t1[0],
+        &limbs);
     REAL checked1 = ALONE(limbs.checked[0]);
-    NEXT_LIMB(2, closure, 1, stride, residual_, sine, cosine, limbs.t5[2], limbs.t2[2], limbs.t4[2], limbs.t1[2], &limbs);
+    NEXT_LIMB(2, closure, 1, stride, residual_, sine, cosine, limbs.t5[2], limbs.t2[2], limbs.t4[2], limbs.t1[2],
+        &limbs);
     REAL checked2 = ALONE(limbs.checked[2]);
     NEXT_LIMB(1, closure, 0, stride, q, residual_, sine, cosine, t21, t18, t30, t27, t32, t17, &limbs);
     NEXT_LIMB(3, closure, 0, stride, q, residual_, sine, cosine, t21, t18, t30, t27, t32, t17, &limbs);
-    NEXT_LIMB(1, closure, 1, stride, residual_, sine, cosine, limbs.t2[1], limbs.t5[1], limbs.t1[1], limbs.t4[1], &limbs);
+    NEXT_LIMB(1, closure, 1, stride, residual_, sine, cosine, limbs.t2[1], limbs.t5[1], limbs.t1[1], limbs.t4[1],
+        &limbs);
     REAL checked3 = ALONE(limbs.checked[1]);
-    NEXT_LIMB(3, closure, 1, stride, residual_, sine, cosine, limbs.t2[3], limbs.t5[3], limbs.t1[3], limbs.t4[3], &limbs);
+    NEXT_LIMB(3, closure, 1, stride, residual_, sine, cosine, limbs.t2[3], limbs.t5[3], limbs.t1[3], limbs.t4[3],
+        &limbs);
     checked0 = checked0 + ALONE(limbs.checked[3]);
     /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
@@ -157,13 +161,17 @@ BODY(three_ups_upu_s_closure_jacobian)(size_t stride, const double *restrict q, 
       t2 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t3 = t1 + t2, t4 = limb5_S_q_qy * limb5_S_q_qy,
       limb5_S_q_qz = READ(q, 15), t5 = limb5_S_q_qz * limb5_S_q_qz, t6 = t4 + t5, t7 = t3 + t6, t9 = 4.0 - 2.0 * t7,
       platform_turn_xx = 1.0 - t6 * t9, t48 = t2 + t4, platform_turn_yy = 1.0 - t9 * (t2 + t5),
-      platform_turn_zz = 1.0 - t9 * t48, t22 = limb5_S_q_qy * t9, t23 = limb5_S_q_qx * t22, t28 = limb5_S_q_qw * t22,
+      platform_turn_zz = 1.0 - t9 * t48, t22 = limb5_S_q_qy * t9, t23 = limb5_S_q_qx * t22, t28 = limb5_S_q_qw *
+          t22,
       t13 = limb5_S_q_qz * t9, t16 = limb5_S_q_qw * (limb5_S_q_qx * t9), t24 = limb5_S_q_qw * t13,
-      platform_turn_yx = t23 + t24, platform_turn_xy = t23 - t24, t27 = limb5_S_q_qx * t13, t14 = limb5_S_q_qy * t13,
+      platform_turn_yx = t23 + t24, platform_turn_xy = t23 - t24, t27 = limb5_S_q_qx * t13, t14 = limb5_S_q_qy *
+          t13,
       platform_turn_zx = t27 - t28, platform_turn_xz = t27 + t28, platform_turn_zy = t14 + t16,
       platform_turn_yz = t14 - t16, limb1_U_0_sin = SINES(sine, 0), limb1_lower_cos = SINES(cosine, 1),
       limb1_lower_sin = SINES(sine, 1);
-    FIRST_LIMB(0, closure_jacobian, 0, stride, q, jacobian, sine, cosine, platform_turn_yx, limb1_U_0_sin * limb1_lower_cos, platform_turn_zx, limb1_U_0_sin * limb1_lower_sin, platform_turn_xx, platform_turn_yy, platform_turn_zy, platform_turn_xy, platform_turn_yz, platform_turn_zz, platform_turn_xz, &limbs);
+    FIRST_LIMB(0, closure_jacobian, 0, stride, q, jacobian, sine, cosine, platform_turn_yx, limb1_U_0_sin *
+        limb1_lower_cos, platform_turn_zx, limb1_U_0_sin * limb1_lower_sin, platform_turn_xx, platform_turn_yy,
+        platform_turn_zy, platform_turn_xy, platform_turn_yz, platform_turn_zz, platform_turn_xz, &limbs);
     /* mechanism: results */
     const REAL jacobian_158 = limbs.t5[0] - limbs.t6[0];
     WRITE(jacobian, 158, jacobian_158);
@@ -176,7 +184,10 @@ BODY(three_ups_upu_s_closure_jacobian)(size_t stride, const double *restrict q, 
     REAL checked2 = jacobian_184;
     const REAL minus_limb2_U_0_cos = SINES(sine, 2), limb2_lower_cos = SINES(cosine, 3),
       limb2_lower_sin = SINES(sine, 3);
-    NEXT_LIMB(1, closure_jacobian, 0, stride, q, jacobian, sine, cosine, platform_turn_xx, minus_limb2_U_0_cos * limb2_lower_cos, platform_turn_zx, minus_limb2_U_0_cos * limb2_lower_sin, platform_turn_yx, platform_turn_xy, platform_turn_zy, platform_turn_yy, platform_turn_xz, platform_turn_zz, platform_turn_yz, &limbs);
+    NEXT_LIMB(1, closure_jacobian, 0, stride, q, jacobian, sine, cosine, platform_turn_xx, minus_limb2_U_0_cos *
+        limb2_lower_cos, platform_turn_zx, minus_limb2_U_0_cos * limb2_lower_sin, platform_turn_yx,
+        platform_turn_xy, platform_turn_zy, platform_turn_yy, platform_turn_xz, platform_turn_zz, platform_turn_yz,
+        &limbs);
     const REAL jacobian_160 = limbs.t2[1] - limbs.t1[1];
     WRITE(jacobian, 160, jacobian_160);
     REAL checked3 = jacobian_160;
@@ -190,7 +201,10 @@ BODY(three_ups_upu_s_closure_jacobian)(size_t stride, const double *restrict q, 
     RESULT(checked3, jacobian, 188, limbs.t17[1] + limbs.t18[1]);
     const REAL limb3_U_0_sin = SINES(sine, 4), limb3_lower_cos = SINES(cosine, 5),
       minus_limb3_lower_sin = SINES(sine, 5);
-    NEXT_LIMB(2, closure_jacobian, 0, stride, q, jacobian, sine, cosine, platform_turn_yx, limb3_U_0_sin * limb3_lower_cos, platform_turn_zx, limb3_U_0_sin * minus_limb3_lower_sin, platform_turn_xx, platform_turn_yy, platform_turn_zy, platform_turn_xy, platform_turn_yz, platform_turn_zz, platform_turn_xz, &limbs);
+    NEXT_LIMB(2, closure_jacobian, 0, stride, q, jacobian, sine, cosine, platform_turn_yx, limb3_U_0_sin *
+        limb3_lower_cos, platform_turn_zx, limb3_U_0_sin * minus_limb3_lower_sin, platform_turn_xx,
+        platform_turn_yy, platform_turn_zy, platform_turn_xy, platform_turn_yz, platform_turn_zz, platform_turn_xz,
+        &limbs);
     RESULT(checked0, jacobian, 163, limbs.t1[2] + limbs.t2[2]);
     RESULT(checked1, jacobian, 165, limbs.t6[2] - limbs.t5[2]);
     RESULT(checked2, jacobian, 176, limbs.t7[2] + limbs.t8[2]);
@@ -199,7 +213,10 @@ BODY(three_ups_upu_s_closure_jacobian)(size_t stride, const double *restrict q, 
     RESULT(checked1, jacobian, 191, limbs.t18[2] - limbs.t17[2]);
     const REAL minus_limb4_U_0_cos = SINES(sine, 6), limb4_lower_cos = SINES(cosine, 7),
       minus_limb4_lower_sin = SINES(sine, 7);
-    NEXT_LIMB(3, closure_jacobian, 0, stride, q, jacobian, sine, cosine, platform_turn_xx, minus_limb4_U_0_cos * limb4_lower_cos, platform_turn_zx, minus_limb4_U_0_cos * minus_limb4_lower_sin, platform_turn_yx, platform_turn_xy, platform_turn_zy, platform_turn_yy, platform_turn_xz, platform_turn_zz, platform_turn_yz, &limbs);
+    NEXT_LIMB(3, closure_jacobian, 0, stride, q, jacobian, sine, cosine, platform_turn_xx, minus_limb4_U_0_cos *
+        limb4_lower_cos, platform_turn_zx, minus_limb4_U_0_cos * minus_limb4_lower_sin, platform_turn_yx,
+        platform_turn_xy, platform_turn_zy, platform_turn_yy, platform_turn_xz, platform_turn_zz, platform_turn_yz,
+        &limbs);
     RESULT(checked2, jacobian, 166, limbs.t1[3] - limbs.t2[3]);
     RESULT(checked3, jacobian, 167, limbs.t4[3] - limbs.t3[3]);
     RESULT(checked0, jacobian, 179, limbs.t7[3] - limbs.t8[3]);
@@ -341,7 +358,8 @@ BODY(three_ups_upu_s_closure_bias)(size_t stride, const double *restrict q, cons
     const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t1 = limb5_S_q_qw * limb5_S_q_qw,
       t2 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t3 = t1 + t2, t4 = limb5_S_q_qy * limb5_S_q_qy,
       limb5_S_q_qz = READ(q, 15), t5 = limb5_S_q_qz * limb5_S_q_qz, t6 = t4 + t5, t7 = t3 + t6, t9 = 4.0 - 2.0 * t7,
-      t30 = t2 + t4, platform_turn_yy = 1.0 - t9 * (t2 + t5), limb5_S_v_wz = READ(v, 14), limb5_S_v_wx = READ(v, 12),
+      t30 = t2 + t4, platform_turn_yy = 1.0 - t9 * (t2 + t5), limb5_S_v_wz = READ(v, 14), limb5_S_v_wx = READ(v,
+          12),
       t32 = limb5_S_v_wz * (1.0 - t9 * t30), t24 = limb5_S_v_wx * (1.0 - t6 * t9), t13 = limb5_S_q_qy * t9,
       t14 = limb5_S_q_qx * t13, t28 = limb5_S_q_qw * t13, t15 = limb5_S_q_qz * t9,
       t21 = limb5_S_q_qw * (limb5_S_q_qx * t9), t16 = limb5_S_q_qw * t15, platform_turn_yx = t14 + t16,
@@ -351,25 +369,31 @@ BODY(three_ups_upu_s_closure_bias)(size_t stride, const double *restrict q, cons
       platform_twist_wy = t18 + limb5_S_v_wz * platform_turn_yz, t29 = limb5_S_v_wz * (t27 + t28),
       platform_twist_wz = t32 + (limb5_S_v_wx * (t27 - t28) + limb5_S_v_wy * platform_turn_zy),
       platform_twist_wx = t24 + limb5_S_v_wy * platform_turn_xy + t29;
-    FIRST_LIMB(1, closure_bias, 0, stride, q, v, bias, sine, cosine, platform_twist_wx, platform_twist_wz, platform_twist_wy, &limbs);
+    FIRST_LIMB(1, closure_bias, 0, stride, q, v, bias, sine, cosine, platform_twist_wx, platform_twist_wz,
+        platform_twist_wy, &limbs);
     REAL checked0 = ALONE(limbs.checked[1]);
-    NEXT_LIMB(2, closure_bias, 0, stride, q, v, bias, sine, cosine, platform_twist_wy, platform_twist_wz, platform_twist_wx, &limbs);
+    NEXT_LIMB(2, closure_bias, 0, stride, q, v, bias, sine, cosine, platform_twist_wy, platform_twist_wz,
+        platform_twist_wx, &limbs);
     REAL checked1 = ALONE(limbs.checked[2]);
-    NEXT_LIMB(3, closure_bias, 0, stride, q, v, bias, sine, cosine, platform_twist_wx, platform_twist_wz, platform_twist_wy, &limbs);
+    NEXT_LIMB(3, closure_bias, 0, stride, q, v, bias, sine, cosine, platform_twist_wx, platform_twist_wz,
+        platform_twist_wy, &limbs);
     REAL checked2 = ALONE(limbs.checked[3]);
-    NEXT_LIMB(0, closure_bias, 0, stride, q, v, bias, sine, cosine, platform_twist_wy, platform_twist_wz, platform_twist_wx, &limbs);
+    NEXT_LIMB(0, closure_bias, 0, stride, q, v, bias, sine, cosine, platform_twist_wy, platform_twist_wz,
+        platform_twist_wx, &limbs);
     REAL checked3 = ALONE(limbs.checked[0]);
     /* limb1: loop closure; geometry; reciprocal wrenches, eq. (10) */
     const REAL limb1_U_v_1 = READ(v, 1), t38 = limb1_U_v_1 - limbs.t3[0], t39 = limbs.signed_lower_omega_y[0] * t38,
       t40 = limbs.signed_lower_omega_y[0] - limbs.t1[0], limb1_U_0_sin = SINES(sine, 0),
-      limb1_U_0_cos = SINES(cosine, 0), t43 = limb1_U_v_1 * limbs.signed_lower_omega_y[0] - (t39 - limb1_U_v_1 * t40),
+      limb1_U_0_cos = SINES(cosine, 0), t43 = limb1_U_v_1 * limbs.signed_lower_omega_y[0] - (t39 - limb1_U_v_1 *
+          t40),
       t46 = limb1_U_0_cos * platform_turn_zy,
       limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy;
     /* limb1: loop closure; reciprocal wrenches, eq. (10); geometry */
     const REAL t44 = limb1_U2_constraint_mn_couple_x * t43, t47 = limb1_U_0_sin * platform_turn_yy - t46,
       t62 = limb1_U2_constraint_mn_couple_x * t40, t50 = limbs.signed_lower_omega_x[0] * t40,
       t51 = limbs.signed_lower_omega_x[0] + limbs.t2[0], limb1_lower_cos = SINES(cosine, 1),
-      limb1_lower_sin = SINES(sine, 1), t53 = t50 - limbs.signed_lower_omega_y[0] * t51, t56 = limb1_lower_sin * t47,
+      limb1_lower_sin = SINES(sine, 1), t53 = t50 - limbs.signed_lower_omega_y[0] * t51, t56 = limb1_lower_sin *
+          t47,
       limb1_U2_constraint_mn_couple_z = limb1_lower_cos * t47 - limb1_lower_sin * platform_turn_xy,
       t55 = t44 - limb1_U2_constraint_mn_couple_z * t53, t59 = limb1_U2_constraint_mn_couple_z * t40,
       limb1_U2_opening_mn = t56 + limb1_lower_cos * platform_turn_xy, t61 = t51 * (limb1_U2_opening_mn * t51 + t59);
@@ -420,7 +444,8 @@ STAGE(velocity, 1)(size_t limb, size_t stride, double *restrict v, const double 
     const LIMB4 signed_U_joint_rate_1 = OWN(t2) * (OWN(S_arm_x) * t8);
     WRITE4(v, 1, 4, 7, 10, sign3 * signed_U_joint_rate_1);
     checked = checked + signed_U_joint_rate_1;
-    const LIMB4 t4 = OWN(signed_upper_position_x) * (U_0_cos * limb5_S_joint_rate_wz - signed_U_0_sin * GIVEN(signed_limb5_S_joint_rate_wy)),
+    const LIMB4 t4 = OWN(signed_upper_position_x) * (U_0_cos * limb5_S_joint_rate_wz - signed_U_0_sin *
+        GIVEN(signed_limb5_S_joint_rate_wy)),
       signed_U_joint_rate_0 = sign1 * (OWN(t1) * t4) + GIVEN(signed_limb5_S_joint_rate_wx);
     WRITE4(v, 0, 3, 6, 9, -sign4 * signed_U_joint_rate_0);
     checked = checked + signed_U_joint_rate_0;
@@ -447,7 +472,8 @@ BODY(three_ups_upu_s_velocity)(size_t stride, const double *restrict q, const do
     const REAL limb1_lower_sin = SINES(sine, 1), platform_turn_yx = t25 + t26,
       limb1_U2_constraint_mn_couple_z = t23 - limb1_lower_sin * platform_turn_xy;
     FIRST_LIMB(0, velocity, 0, stride, q, sine, cosine, &limbs);
-    const REAL minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limbs.S_arm_x[0] * (limb1_U2_constraint_mn_couple_z * limbs.t2[0]),
+    const REAL minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limbs.S_arm_x[0] *
+        (limb1_U2_constraint_mn_couple_z * limbs.t2[0]),
       t29 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3, t32 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3,
       limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy,
       t18 = limbs.signed_upper_position_x[0] * (limb1_lower_sin * limb1_U2_constraint_mn_couple_x * limbs.t1[0]),
@@ -460,7 +486,8 @@ BODY(three_ups_upu_s_velocity)(size_t stride, const double *restrict q, const do
       limb5_S_null_space_wz_by_limb5_S_wy = t30 * t33;
     /* limb5_S: velocities, eq. (6); geometry */
     const REAL t44 = limb5_S_q_qy * t35 * limb5_S_null_space_wz_by_limb5_S_wy, t39 = limb5_S_q_qz * t35,
-      t46 = 0.5 * (t39 - t44), t40 = 0.5 * t39, limb5_S_y_dot_qx = READ(y_dot, 0), limb5_S_y_dot_qy = READ(y_dot, 1),
+      t46 = 0.5 * (t39 - t44), t40 = 0.5 * t39, limb5_S_y_dot_qx = READ(y_dot, 0), limb5_S_y_dot_qy = READ(y_dot,
+          1),
       t47 = t40 * t46, t41 = t40 * limb5_S_y_dot_qx, t55 = limb5_S_y_dot_qy * t46,
       t49 = limb5_S_q_qx * t35 * limb5_S_null_space_wz_by_limb5_S_wy, t36 = limb5_S_q_qw * t35,
       t51 = 0.5 * (t36 + t49), t37 = 0.5 * t36, a_pivot = t47 + t37 * t51;
@@ -469,7 +496,8 @@ BODY(three_ups_upu_s_velocity)(size_t stride, const double *restrict q, const do
       limb5_S_joint_rate_wz = t30 * (t33 * limb5_S_joint_rate_wy), t61 = platform_turn_yx * limb5_S_joint_rate_wy,
       minus_limb5_S_joint_rate_wx = t53 * (t55 - limb5_S_y_dot_qx * t51),
       t64 = t61 - platform_turn_xx * minus_limb5_S_joint_rate_wx, t65 = platform_turn_zy * limb5_S_joint_rate_wz,
-      platform_omega_y = t65 + (platform_turn_yy * limb5_S_joint_rate_wy - platform_turn_xy * minus_limb5_S_joint_rate_wx);
+      platform_omega_y = t65 + (platform_turn_yy * limb5_S_joint_rate_wy - platform_turn_xy *
+          minus_limb5_S_joint_rate_wx);
     WRITE(v, 13, platform_omega_y);
     REAL checked2 = platform_omega_y;
     const REAL t71 = platform_turn_zz * limb5_S_joint_rate_wz, t72 = platform_turn_yz * limb5_S_joint_rate_wy,
@@ -477,24 +505,32 @@ BODY(three_ups_upu_s_velocity)(size_t stride, const double *restrict q, const do
     WRITE(v, 12, platform_omega_x);
     REAL checked3 = platform_omega_x;
     RESULT(checked0, v, 14, t71 + (t72 - platform_turn_xz * minus_limb5_S_joint_rate_wx));
-    const EACH4 signed_limb5_S_joint_rate_wy = {limb5_S_joint_rate_wy, minus_limb5_S_joint_rate_wx, limb5_S_joint_rate_wy, minus_limb5_S_joint_rate_wx},
-      signed_limb5_S_joint_rate_wx = {minus_limb5_S_joint_rate_wx, limb5_S_joint_rate_wy, minus_limb5_S_joint_rate_wx, limb5_S_joint_rate_wy};
-    FIRST_LIMB(0, velocity, 1, stride, v, sine, cosine, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, signed_limb5_S_joint_rate_wx, &limbs);
+    const EACH4 signed_limb5_S_joint_rate_wy = {limb5_S_joint_rate_wy, minus_limb5_S_joint_rate_wx,
+        limb5_S_joint_rate_wy, minus_limb5_S_joint_rate_wx},
+      signed_limb5_S_joint_rate_wx = {minus_limb5_S_joint_rate_wx, limb5_S_joint_rate_wy,
+          minus_limb5_S_joint_rate_wx, limb5_S_joint_rate_wy};
+    FIRST_LIMB(0, velocity, 1, stride, v, sine, cosine, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy,
+        signed_limb5_S_joint_rate_wx, &limbs);
     checked1 = checked1 + ALONE(limbs.checked[0]);
     NEXT_LIMB(1, velocity, 0, stride, q, sine, cosine, &limbs);
-    NEXT_LIMB(1, velocity, 1, stride, v, sine, cosine, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, signed_limb5_S_joint_rate_wx, &limbs);
+    NEXT_LIMB(1, velocity, 1, stride, v, sine, cosine, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy,
+        signed_limb5_S_joint_rate_wx, &limbs);
     checked2 = checked2 + ALONE(limbs.checked[1]);
     NEXT_LIMB(2, velocity, 0, stride, q, sine, cosine, &limbs);
-    NEXT_LIMB(2, velocity, 1, stride, v, sine, cosine, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, signed_limb5_S_joint_rate_wx, &limbs);
+    NEXT_LIMB(2, velocity, 1, stride, v, sine, cosine, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy,
+        signed_limb5_S_joint_rate_wx, &limbs);
     checked3 = checked3 + ALONE(limbs.checked[2]);
     NEXT_LIMB(3, velocity, 0, stride, q, sine, cosine, &limbs);
-    NEXT_LIMB(3, velocity, 1, stride, v, sine, cosine, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, signed_limb5_S_joint_rate_wx, &limbs);
+    NEXT_LIMB(3, velocity, 1, stride, v, sine, cosine, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy,
+        signed_limb5_S_joint_rate_wx, &limbs);
     checked0 = checked0 + ALONE(limbs.checked[3]);
     /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
     FINITE_UNLESS4( /* status 1 where a pivot is smaller than its limit: */
-        SMALL4(limbs.minus_U_0_lever_mz_by_S_fz, 6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10) OR /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
+        SMALL4(limbs.minus_U_0_lever_mz_by_S_fz, 6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10) OR
+            /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the
+               reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
         SMALL(minus_limb5_S_pivot_wz, 1.0e-09) OR /* where the loops no longer determine limb5_S.wz */
         SMALL(a_pivot, 1.0e-09), /* where the elimination meets a singularity */
         (checked0 + checked1) + (checked2 + checked3), limbs.checked);
@@ -586,7 +622,8 @@ BODY(three_ups_upu_s_null_space)(size_t stride, const double *restrict q, double
     const REAL limb1_lower_sin = SINES(sine, 1),
       limb1_U2_constraint_mn_couple_z = t27 - limb1_lower_sin * platform_turn_xy;
     FIRST_LIMB(0, null_space, 0, stride, q, sine, cosine, &limbs);
-    const REAL minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limbs.S_arm_x[0] * (limb1_U2_constraint_mn_couple_z * limbs.t2[0]),
+    const REAL minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limbs.S_arm_x[0] *
+        (limb1_U2_constraint_mn_couple_z * limbs.t2[0]),
       t33 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3, t36 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3,
       limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy,
       t22 = limbs.signed_upper_position_x[0] * (limb1_lower_sin * limb1_U2_constraint_mn_couple_x * limbs.t1[0]),
@@ -597,16 +634,20 @@ BODY(three_ups_upu_s_null_space)(size_t stride, const double *restrict q, double
     /* limb5_S: rates that follow; geometry */
     const REAL t34 = 1.0 / minus_limb5_S_pivot_wz,
       t37 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t36, /* limb1 */
-      limb5_S_null_space_wz_by_limb5_S_wy = t34 * t37, t44 = limb5_S_q_qy * t9 * limb5_S_null_space_wz_by_limb5_S_wy,
+      limb5_S_null_space_wz_by_limb5_S_wy = t34 * t37, t44 = limb5_S_q_qy * t9 *
+          limb5_S_null_space_wz_by_limb5_S_wy,
       t41 = limb5_S_q_qz * t9, t46 = 0.5 * (t41 - t44), t42 = 0.5 * t41, t47 = t42 * t46,
-      t38 = limb5_S_q_qx * t9 * limb5_S_null_space_wz_by_limb5_S_wy, t10 = limb5_S_q_qw * t9, t40 = 0.5 * (t10 + t38),
+      t38 = limb5_S_q_qx * t9 * limb5_S_null_space_wz_by_limb5_S_wy, t10 = limb5_S_q_qw * t9, t40 = 0.5 * (t10 +
+          t38),
       t48 = 0.5 * t10, a_pivot = t47 + t48 * t40;
     REAL checked1 = a_pivot;
     const REAL t50 = 1.0 / a_pivot, limb5_S_null_space_wy_by_limb5_S_qx = t42 * t50,
       limb5_S_null_space_wx_by_limb5_S_qx = t40 * t50, limb5_S_null_space_wy_by_limb5_S_qy = t48 * t50,
       t70 = t46 * t50, limb5_S_null_space_wz_by_limb5_S_qx = t34 * (t37 * limb5_S_null_space_wy_by_limb5_S_qx),
       limb5_S_null_space_wz_by_limb5_S_qy = t34 * (t37 * limb5_S_null_space_wy_by_limb5_S_qy);
-    FIRST_LIMB(0, null_space, 1, stride, null_space, sine, cosine, limb5_S_null_space_wz_by_limb5_S_qx, limb5_S_null_space_wy_by_limb5_S_qx, limb5_S_null_space_wx_by_limb5_S_qx, limb5_S_null_space_wz_by_limb5_S_qy, limb5_S_null_space_wy_by_limb5_S_qy, t70, &limbs);
+    FIRST_LIMB(0, null_space, 1, stride, null_space, sine, cosine, limb5_S_null_space_wz_by_limb5_S_qx,
+        limb5_S_null_space_wy_by_limb5_S_qx, limb5_S_null_space_wx_by_limb5_S_qx,
+        limb5_S_null_space_wz_by_limb5_S_qy, limb5_S_null_space_wy_by_limb5_S_qy, t70, &limbs);
     REAL checked2 = ALONE(limbs.checked[0]);
     const REAL platform_turn_zx = t52 - t53, platform_turn_xz = t52 + t53,
       t54 = platform_turn_zx * limb5_S_null_space_wz_by_limb5_S_qx,
@@ -630,19 +671,27 @@ BODY(three_ups_upu_s_null_space)(size_t stride, const double *restrict q, double
     RESULT(checked3, null_space, 14, t65 + (t66 + platform_turn_xz * limb5_S_null_space_wx_by_limb5_S_qx));
     RESULT(checked0, null_space, 29, t79 + (t80 - platform_turn_xz * t70));
     NEXT_LIMB(1, null_space, 0, stride, q, sine, cosine, &limbs);
-    NEXT_LIMB(1, null_space, 1, stride, null_space, sine, cosine, limb5_S_null_space_wz_by_limb5_S_qx, limb5_S_null_space_wx_by_limb5_S_qx, limb5_S_null_space_wy_by_limb5_S_qx, limb5_S_null_space_wz_by_limb5_S_qy, t70, limb5_S_null_space_wy_by_limb5_S_qy, &limbs);
+    NEXT_LIMB(1, null_space, 1, stride, null_space, sine, cosine, limb5_S_null_space_wz_by_limb5_S_qx,
+        limb5_S_null_space_wx_by_limb5_S_qx, limb5_S_null_space_wy_by_limb5_S_qx,
+        limb5_S_null_space_wz_by_limb5_S_qy, t70, limb5_S_null_space_wy_by_limb5_S_qy, &limbs);
     checked1 = checked1 + ALONE(limbs.checked[1]);
     NEXT_LIMB(2, null_space, 0, stride, q, sine, cosine, &limbs);
-    NEXT_LIMB(2, null_space, 1, stride, null_space, sine, cosine, limb5_S_null_space_wz_by_limb5_S_qx, limb5_S_null_space_wy_by_limb5_S_qx, limb5_S_null_space_wx_by_limb5_S_qx, limb5_S_null_space_wz_by_limb5_S_qy, limb5_S_null_space_wy_by_limb5_S_qy, t70, &limbs);
+    NEXT_LIMB(2, null_space, 1, stride, null_space, sine, cosine, limb5_S_null_space_wz_by_limb5_S_qx,
+        limb5_S_null_space_wy_by_limb5_S_qx, limb5_S_null_space_wx_by_limb5_S_qx,
+        limb5_S_null_space_wz_by_limb5_S_qy, limb5_S_null_space_wy_by_limb5_S_qy, t70, &limbs);
     checked2 = checked2 + ALONE(limbs.checked[2]);
     NEXT_LIMB(3, null_space, 0, stride, q, sine, cosine, &limbs);
-    NEXT_LIMB(3, null_space, 1, stride, null_space, sine, cosine, limb5_S_null_space_wz_by_limb5_S_qx, limb5_S_null_space_wx_by_limb5_S_qx, limb5_S_null_space_wy_by_limb5_S_qx, limb5_S_null_space_wz_by_limb5_S_qy, t70, limb5_S_null_space_wy_by_limb5_S_qy, &limbs);
+    NEXT_LIMB(3, null_space, 1, stride, null_space, sine, cosine, limb5_S_null_space_wz_by_limb5_S_qx,
+        limb5_S_null_space_wx_by_limb5_S_qx, limb5_S_null_space_wy_by_limb5_S_qx,
+        limb5_S_null_space_wz_by_limb5_S_qy, t70, limb5_S_null_space_wy_by_limb5_S_qy, &limbs);
     checked3 = checked3 + ALONE(limbs.checked[3]);
     /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
     FINITE_UNLESS4( /* status 1 where a pivot is smaller than its limit: */
-        SMALL4(limbs.minus_U_0_lever_mz_by_S_fz, 6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10) OR /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
+        SMALL4(limbs.minus_U_0_lever_mz_by_S_fz, 6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10) OR
+            /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the
+               reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
         SMALL(minus_limb5_S_pivot_wz, 1.0e-09) OR /* where the loops no longer determine limb5_S.wz */
         SMALL(a_pivot, 1.0e-09), /* where the elimination meets a singularity */
         (checked0 + checked1) + (checked2 + checked3), limbs.checked);
@@ -721,9 +770,11 @@ STAGE(acceleration, 2)(size_t limb, size_t stride, double *restrict a, const dou
     const LIMB4 U_joint_acc_1 = OWN(t2) * (t13 - (OWN(t11) + OWN(S_arm_x) * t14));
     WRITE4(a, 1, 4, 7, 10, U_joint_acc_1);
     checked = checked + U_joint_acc_1;
-    const LIMB4 t4 = OWN(upper_position_x) * (U_0_cos * given - signed_U_0_sin * GIVEN(signed_limb5_S_joint_acc_wy)),
+    const LIMB4 t4 = OWN(upper_position_x) * (U_0_cos * given - signed_U_0_sin *
+        GIVEN(signed_limb5_S_joint_acc_wy)),
       t6 = sign1 * GIVEN(signed_limb5_S_joint_acc_wx) + OWN(t1) * t4,
-      U_joint_acc_0 = OWN(t1) * (OWN(upper_position_x) * (U_0_cos * minus_limb5_S_joint_acc_still_wz) - OWN(t8)) - t6;
+      U_joint_acc_0 = OWN(t1) * (OWN(upper_position_x) * (U_0_cos * minus_limb5_S_joint_acc_still_wz) - OWN(t8)) -
+          t6;
     WRITE4(a, 0, 3, 6, 9, U_joint_acc_0);
     checked = checked + U_joint_acc_0;
     OWN(checked) = checked;
@@ -754,11 +805,13 @@ BODY(three_ups_upu_s_acceleration)(size_t stride, const double *restrict q, cons
     const REAL t70 = limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy,
       platform_twist_wz = limb5_S_v_wz * platform_turn_zz + t70;
     FIRST_LIMB(0, acceleration, 0, stride, q, v, sine, cosine, &limbs);
-    FIRST_LIMB(0, acceleration, 1, stride, v, sine, cosine, platform_twist_wy_2, platform_twist_wz, platform_twist_wx_2, &limbs);
+    FIRST_LIMB(0, acceleration, 1, stride, v, sine, cosine, platform_twist_wy_2, platform_twist_wz,
+        platform_twist_wx_2, &limbs);
     /* limb1: geometry; accelerations; loop closure */
     const REAL limb1_lower_sin = SINES(sine, 1), limb1_lower_cos = SINES(cosine, 1), limb1_U_v_0 = READ(v, 0),
       t98 = limb1_lower_sin * limbs.t6[0] + limb1_lower_cos * platform_twist_wx,
-      limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos, t99 = limb1_lower_omega_y - t98, limb1_U_v_1 = READ(v, 1),
+      limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos, t99 = limb1_lower_omega_y - t98, limb1_U_v_1 = READ(v,
+          1),
       t100 = limb1_U_v_1 * t99, t94 = limb1_U_v_1 - limbs.t3[0], limb1_U_0_sin = SINES(sine, 0),
       limb1_U_0_cos = SINES(cosine, 0);
     /* limb1: loop closure; reciprocal wrenches, eq. (10); rates that follow */
@@ -773,7 +826,8 @@ BODY(three_ups_upu_s_acceleration)(size_t stride, const double *restrict q, cons
       t112 = t103 - limb1_U2_constraint_mn_couple_z * t110,
       limb1_U2_opening_mn = t113 + limb1_lower_cos * platform_turn_xy,
       t118 = t108 * (limb1_U2_opening_mn * t108 + limb1_U2_constraint_mn_couple_z * t99),
-      limb1_U2_opening_bias_mn = t112 - (t118 - t94 * (limb1_U2_constraint_mn_couple_x * t99 - limb1_U2_opening_mn * t94)),
+      limb1_U2_opening_bias_mn = t112 - (t118 - t94 * (limb1_U2_constraint_mn_couple_x * t99 - limb1_U2_opening_mn *
+          t94)),
       limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * limbs.t2[0],
       t125 = limb1_U2_opening_bias_mn - limbs.t11[0] * limb1_U_factor_1_by_3, /* limb5_S */
       minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limbs.S_arm_x[0] * limb1_U_factor_1_by_3,
@@ -781,14 +835,17 @@ BODY(three_ups_upu_s_acceleration)(size_t stride, const double *restrict q, cons
       limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x;
     /* limb5_S: accelerations; pivots; rates that follow */
     const REAL t126 = minus_limb1_U_factor_0_by_3 * limbs.t8[0] - t125,
-      minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn + limbs.upper_position_x[0] * minus_limb1_U_factor_0_by_3,
+      minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn + limbs.upper_position_x[0] *
+          minus_limb1_U_factor_0_by_3,
       t37 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3, /* limb1 */
-      minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + limb1_U_0_sin * minus_limb1_U2_factor_0_by_3;
+      minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + limb1_U_0_sin *
+          minus_limb1_U2_factor_0_by_3;
     REAL checked0 = minus_limb5_S_pivot_wz;
     const REAL t35 = 1.0 / minus_limb5_S_pivot_wz, minus_limb5_S_joint_acc_still_wz = t35 * t126,
       t38 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t37, /* limb1 */
       t12 = limb5_S_q_qy * t9, t145 = 0.5 * (t12 * minus_limb5_S_joint_acc_still_wz), t83 = platform_twist_wx * t12,
-      t45 = limb5_S_q_qx * t9, t85 = t83 - platform_twist_wy * t45, t43 = limb5_S_q_qw * t9, t10 = limb5_S_q_qz * t9,
+      t45 = limb5_S_q_qx * t9, t85 = t83 - platform_twist_wy * t45, t43 = limb5_S_q_qw * t9, t10 = limb5_S_q_qz *
+          t9,
       t87 = 0.5 * (platform_twist_wz * t43 + t85), t132 = platform_twist_wy * t87, t88 = platform_twist_wx * t87,
       t138 = 0.5 * (platform_twist_wy * t43 + (platform_twist_wz * t45 - platform_twist_wx * t10)),
       t140 = t132 - platform_twist_wz * t138,
@@ -816,27 +873,38 @@ BODY(three_ups_upu_s_acceleration)(size_t stride, const double *restrict q, cons
     WRITE(a, 13, limb5_S_a_wy);
     REAL checked3 = limb5_S_a_wy;
     RESULT(checked0, a, 14, t164 - platform_turn_zz * minus_limb5_S_joint_acc_wz);
-    const EACH4 signed_limb5_S_joint_acc_wy = {limb5_S_joint_acc_wy, minus_limb5_S_joint_acc_wx, limb5_S_joint_acc_wy, minus_limb5_S_joint_acc_wx},
-      signed_limb5_S_joint_acc_wx = {minus_limb5_S_joint_acc_wx, limb5_S_joint_acc_wy, minus_limb5_S_joint_acc_wx, limb5_S_joint_acc_wy};
-    FIRST_LIMB(0, acceleration, 2, stride, a, sine, cosine, t153, signed_limb5_S_joint_acc_wy, signed_limb5_S_joint_acc_wx, minus_limb5_S_joint_acc_still_wz, &limbs);
+    const EACH4 signed_limb5_S_joint_acc_wy = {limb5_S_joint_acc_wy, minus_limb5_S_joint_acc_wx,
+        limb5_S_joint_acc_wy, minus_limb5_S_joint_acc_wx},
+      signed_limb5_S_joint_acc_wx = {minus_limb5_S_joint_acc_wx, limb5_S_joint_acc_wy, minus_limb5_S_joint_acc_wx,
+          limb5_S_joint_acc_wy};
+    FIRST_LIMB(0, acceleration, 2, stride, a, sine, cosine, t153, signed_limb5_S_joint_acc_wy,
+        signed_limb5_S_joint_acc_wx, minus_limb5_S_joint_acc_still_wz, &limbs);
     checked1 = checked1 + ALONE(limbs.checked[0]);
     NEXT_LIMB(1, acceleration, 0, stride, q, v, sine, cosine, &limbs);
-    NEXT_LIMB(1, acceleration, 1, stride, v, sine, cosine, platform_twist_wy_2, platform_twist_wz, platform_twist_wx_2, &limbs);
-    NEXT_LIMB(1, acceleration, 2, stride, a, sine, cosine, t153, signed_limb5_S_joint_acc_wy, signed_limb5_S_joint_acc_wx, minus_limb5_S_joint_acc_still_wz, &limbs);
+    NEXT_LIMB(1, acceleration, 1, stride, v, sine, cosine, platform_twist_wy_2, platform_twist_wz,
+        platform_twist_wx_2, &limbs);
+    NEXT_LIMB(1, acceleration, 2, stride, a, sine, cosine, t153, signed_limb5_S_joint_acc_wy,
+        signed_limb5_S_joint_acc_wx, minus_limb5_S_joint_acc_still_wz, &limbs);
     checked2 = checked2 + ALONE(limbs.checked[1]);
     NEXT_LIMB(2, acceleration, 0, stride, q, v, sine, cosine, &limbs);
-    NEXT_LIMB(2, acceleration, 1, stride, v, sine, cosine, platform_twist_wy_2, platform_twist_wz, platform_twist_wx_2, &limbs);
-    NEXT_LIMB(2, acceleration, 2, stride, a, sine, cosine, t153, signed_limb5_S_joint_acc_wy, signed_limb5_S_joint_acc_wx, minus_limb5_S_joint_acc_still_wz, &limbs);
+    NEXT_LIMB(2, acceleration, 1, stride, v, sine, cosine, platform_twist_wy_2, platform_twist_wz,
+        platform_twist_wx_2, &limbs);
+    NEXT_LIMB(2, acceleration, 2, stride, a, sine, cosine, t153, signed_limb5_S_joint_acc_wy,
+        signed_limb5_S_joint_acc_wx, minus_limb5_S_joint_acc_still_wz, &limbs);
     checked3 = checked3 + ALONE(limbs.checked[2]);
     NEXT_LIMB(3, acceleration, 0, stride, q, v, sine, cosine, &limbs);
-    NEXT_LIMB(3, acceleration, 1, stride, v, sine, cosine, platform_twist_wy_2, platform_twist_wz, platform_twist_wx_2, &limbs);
-    NEXT_LIMB(3, acceleration, 2, stride, a, sine, cosine, t153, signed_limb5_S_joint_acc_wy, signed_limb5_S_joint_acc_wx, minus_limb5_S_joint_acc_still_wz, &limbs);
+    NEXT_LIMB(3, acceleration, 1, stride, v, sine, cosine, platform_twist_wy_2, platform_twist_wz,
+        platform_twist_wx_2, &limbs);
+    NEXT_LIMB(3, acceleration, 2, stride, a, sine, cosine, t153, signed_limb5_S_joint_acc_wy,
+        signed_limb5_S_joint_acc_wx, minus_limb5_S_joint_acc_still_wz, &limbs);
     checked0 = checked0 + ALONE(limbs.checked[3]);
     /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
     FINITE_UNLESS4( /* status 1 where a pivot is smaller than its limit: */
-        SMALL4(limbs.minus_U_0_lever_mz_by_S_fz, 6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10) OR /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
+        SMALL4(limbs.minus_U_0_lever_mz_by_S_fz, 6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10) OR
+            /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the
+               reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
         SMALL(minus_limb5_S_pivot_wz, 1.0e-09) OR /* where the loops no longer determine limb5_S.wz */
         SMALL(a_pivot, 1.0e-09), /* where the elimination meets a singularity */
         (checked0 + checked1) + (checked2 + checked3), limbs.checked);
@@ -891,8 +959,10 @@ STAGE(close_position, 1)(size_t limb, size_t stride, const double *restrict sine
     (void)limb, (void)stride;
     const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, 1.0, 1.0);
     /* each limb: rates that follow; loop closure; results */
-    OWN(t5) = OF4(SINES(cosine, 0), SINES(sine, 2), SINES(cosine, 4), SINES(sine, 6)) * limb5_S_null_space_wz_by_limb5_S_wy;
-    OWN(t6) = OF4(SINES(sine, 0), SINES(cosine, 2), SINES(sine, 4), SINES(cosine, 6)) * limb5_S_null_space_wz_by_limb5_S_wy;
+    OWN(t5) = OF4(SINES(cosine, 0), SINES(sine, 2), SINES(cosine, 4), SINES(sine, 6)) *
+        limb5_S_null_space_wz_by_limb5_S_wy;
+    OWN(t6) = OF4(SINES(sine, 0), SINES(cosine, 2), SINES(sine, 4), SINES(cosine, 6)) *
+        limb5_S_null_space_wz_by_limb5_S_wy;
     const LIMB4 t1 = OWN(signed_upper_position_x) + sign2 * (given - sign1 * given_2);
     OWN(S_opening_fx) = IN_EACH4(SINES, sine, 1, 2) * t1 + given_5 + given_6;
     const LIMB4 t6 = (-per_length) * OWN(S_opening_fx);
@@ -923,7 +993,8 @@ STAGE(close_position, 3)(size_t limb, size_t stride, const double *restrict q, d
     const LIMB4 t6 = sign1 * given;
     /* each limb: results */
     OWN(t13) = OWN(signed_U_null_space_1_by_limb5_S_wy) * t6;
-    const LIMB4 U_q_next_0 = IN_EACH4(READ, q, 0, 3) - (given_3 - sign2 * (given_2 - OWN(signed_U_null_space_0_by_limb5_S_wy) * t6));
+    const LIMB4 U_q_next_0 = IN_EACH4(READ, q, 0, 3) - (given_3 - sign2 * (given_2 -
+        OWN(signed_U_null_space_0_by_limb5_S_wy) * t6));
     WRITE4(q_next, 0, 3, 6, 9, U_q_next_0);
     LIMB4 checked = U_q_next_0;
     OWN(P_q_next) = P_q + (sign2 * given_4 + OWN(signed_P_null_space_by_limb5_S_wy) * t6);
@@ -964,16 +1035,19 @@ BODY(three_ups_upu_s_close_position)(size_t stride, const double *restrict q, do
       t47 = 0.5 * platform_turn_yy, /* platform */
       minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * limbs.t1[0],
       limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x,
-      minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn + limbs.signed_upper_position_x[0] * minus_limb1_U_factor_0_by_3,
+      minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn + limbs.signed_upper_position_x[0] *
+          minus_limb1_U_factor_0_by_3,
       t42 = limbs.signed_S_opening_fz[0] * minus_limb1_U_factor_0_by_3;
     /* limb5_S: pivots; results; rates that follow */
     const REAL minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + t40;
     REAL checked2 = minus_limb5_S_pivot_wz;
     const REAL t41 = 1.0 / minus_limb5_S_pivot_wz,
       limb5_S_null_space_wz_by_limb5_S_wy = t41 * (limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t77);
-    FIRST_LIMB(0, close_position, 1, stride, sine, cosine, t46, t26, limbs.t3[0], limbs.t4[0], limb5_S_null_space_wz_by_limb5_S_wy, limbs.t9[0], limbs.t8[0], &limbs);
+    FIRST_LIMB(0, close_position, 1, stride, sine, cosine, t46, t26, limbs.t3[0], limbs.t4[0],
+        limb5_S_null_space_wz_by_limb5_S_wy, limbs.t9[0], limbs.t8[0], &limbs);
     const REAL t48 = limbs.signed_S_opening_fy[0] * limb1_U_factor_1_by_3; /* limb1 */
-    NEXT_LIMB(2, close_position, 1, stride, sine, cosine, t46, t26, limbs.t3[2], limbs.t4[2], limb5_S_null_space_wz_by_limb5_S_wy, limbs.t9[2], limbs.t8[2], &limbs);
+    NEXT_LIMB(2, close_position, 1, stride, sine, cosine, t46, t26, limbs.t3[2], limbs.t4[2],
+        limb5_S_null_space_wz_by_limb5_S_wy, limbs.t9[2], limbs.t8[2], &limbs);
     const REAL limb1_U2_opening_mn = t43 + limb1_lower_cos * platform_turn_xy;
     /* mechanism: results; balance, eqs. (40)-(47); pivots */
     const REAL t51 = t41 * (t42 - (limb1_U2_opening_mn + t48)), t27 = 0.5 * platform_turn_xy,
@@ -991,27 +1065,34 @@ BODY(three_ups_upu_s_close_position)(size_t stride, const double *restrict q, do
     NEXT_LIMB(1, close_position, 0, stride, q, sine, cosine, t21, t22, t26, t27, &limbs);
     NEXT_LIMB(3, close_position, 0, stride, q, sine, cosine, t21, t22, t26, t27, &limbs);
     const REAL t127 = limbs.t1[1] * (limbs.signed_upper_position_x[1] * t124 - limbs.signed_S_opening_fz[1]);
-    NEXT_LIMB(1, close_position, 1, stride, sine, cosine, t18, t47, limbs.t4[1], limbs.t3[1], limb5_S_null_space_wz_by_limb5_S_wy, limbs.t8[1], limbs.t9[1], &limbs);
-    NEXT_LIMB(3, close_position, 1, stride, sine, cosine, t18, t47, limbs.t4[3], limbs.t3[3], limb5_S_null_space_wz_by_limb5_S_wy, limbs.t8[3], limbs.t9[3], &limbs);
-    const REAL t259 = t253 + limbs.t14[1] + limbs.t15[1] + limbs.t16[1] + limbs.t14[2] + limbs.t15[2] + limbs.t16[2],
+    NEXT_LIMB(1, close_position, 1, stride, sine, cosine, t18, t47, limbs.t4[1], limbs.t3[1],
+        limb5_S_null_space_wz_by_limb5_S_wy, limbs.t8[1], limbs.t9[1], &limbs);
+    NEXT_LIMB(3, close_position, 1, stride, sine, cosine, t18, t47, limbs.t4[3], limbs.t3[3],
+        limb5_S_null_space_wz_by_limb5_S_wy, limbs.t8[3], limbs.t9[3], &limbs);
+    const REAL t259 = t253 + limbs.t14[1] + limbs.t15[1] + limbs.t16[1] + limbs.t14[2] + limbs.t15[2] +
+        limbs.t16[2],
       residual_residual = SQRT(t259 + limbs.t14[3] + limbs.t15[3] + limbs.t16[3]);
     WRITE(residual_, 0, residual_residual);
     REAL checked3 = residual_residual;
-    NEXT_LIMB(1, close_position, 2, stride, limbs.t5[1], limbs.minus_U_0_lever_mz_by_S_fz[1] + limbs.signed_upper_position_x[1] * limbs.t6[1], &limbs);
+    NEXT_LIMB(1, close_position, 2, stride, limbs.t5[1], limbs.minus_U_0_lever_mz_by_S_fz[1] +
+        limbs.signed_upper_position_x[1] * limbs.t6[1], &limbs);
     const REAL minus_limb2_U_0_cos = SINES(sine, 2),
       t168 = limbs.signed_U_null_space_0_by_limb5_S_wy[1] * t127 - t167, t116 = minus_limb2_U_0_cos * t51,
       t122 = limbs.t2[1] * (limbs.signed_S_opening_fy[1] + limbs.S_arm_x[1] * t116),
       t118 = limbs.S_opening_fx[1] - limbs.signed_S_arm_y[1] * t116, limb3_U_0_cos = SINES(cosine, 4),
       t170 = limbs.t7[1] * t118 - (limbs.signed_U_null_space_1_by_limb5_S_wy[1] * t122 + t168),
-      t135 = limbs.t1[2] * (limbs.signed_S_opening_fz[2] + limbs.signed_upper_position_x[2] * (limb3_U_0_cos * t51)),
+      t135 = limbs.t1[2] * (limbs.signed_S_opening_fz[2] + limbs.signed_upper_position_x[2] * (limb3_U_0_cos *
+          t51)),
       limb3_U_0_sin = SINES(sine, 4), t264 = -(limbs.signed_upper_position_x[2] * (limb3_U_0_sin - limbs.t5[2]));
     NEXT_LIMB(2, close_position, 2, stride, limb3_U_0_cos + limbs.t6[2], t264, &limbs);
     const REAL t171 = limbs.signed_U_null_space_0_by_limb5_S_wy[2] * t135 - t170, t145 = limb3_U_0_sin * t51,
       t151 = limbs.t2[2] * (limbs.signed_S_opening_fy[2] + limbs.S_arm_x[2] * t145),
       t147 = limbs.signed_S_arm_y[2] * t145 - limbs.S_opening_fx[2], limb4_U_0_sin = SINES(cosine, 6),
       t173 = limbs.t7[2] * t147 + (limbs.signed_U_null_space_1_by_limb5_S_wy[2] * t151 + t171),
-      t114 = limbs.t1[3] * (limbs.signed_S_opening_fz[3] + limbs.signed_upper_position_x[3] * (limb4_U_0_sin * t51));
-    NEXT_LIMB(3, close_position, 2, stride, limbs.t5[3], limbs.minus_U_0_lever_mz_by_S_fz[3] - limbs.signed_upper_position_x[3] * limbs.t6[3], &limbs);
+      t114 = limbs.t1[3] * (limbs.signed_S_opening_fz[3] + limbs.signed_upper_position_x[3] * (limb4_U_0_sin *
+          t51));
+    NEXT_LIMB(3, close_position, 2, stride, limbs.t5[3], limbs.minus_U_0_lever_mz_by_S_fz[3] -
+        limbs.signed_upper_position_x[3] * limbs.t6[3], &limbs);
     const REAL minus_limb4_U_0_cos = SINES(sine, 6),
       t174 = t173 - limbs.signed_U_null_space_0_by_limb5_S_wy[3] * t114, t103 = minus_limb4_U_0_cos * t51,
       t109 = limbs.t2[3] * (limbs.signed_S_opening_fy[3] - limbs.S_arm_x[3] * t103),
@@ -1025,16 +1106,19 @@ BODY(three_ups_upu_s_close_position)(size_t stride, const double *restrict q, do
       t130 = limb2_U_null_space_1_by_limb5_S_wx * t122 - t129,
       t62 = 2.2795812745707664 * minus_platform_joint_force_mx_by_limb2_P, t136 = t62 * t118 - t130 + t135,
       t63 = minus_platform_joint_force_mx_by_limb2_P * t62,
-      minus_limb4_U_null_space_0_by_limb5_S_wx = limbs.t1[3] * (minus_limb4_U_0_cos * limbs.signed_upper_position_x[3]),
+      minus_limb4_U_null_space_0_by_limb5_S_wx = limbs.t1[3] * (minus_limb4_U_0_cos *
+          limbs.signed_upper_position_x[3]),
       t137 = minus_limb4_U_null_space_0_by_limb5_S_wx * t114 + t136, t267 = -t114,
       limb4_U_null_space_1_by_limb5_S_wx = limb4_U_0_sin * limbs.S_arm_x[3] * limbs.t2[3],
       platform_joint_force_mx_by_limb4_P = limb4_U_0_sin * limbs.signed_S_arm_y[3],
       t138 = limb4_U_null_space_1_by_limb5_S_wx * t109 + t137,
       t56 = 2.2795812745707664 * platform_joint_force_mx_by_limb4_P, t139 = t56 * t105 - t138,
       t57 = platform_joint_force_mx_by_limb4_P * t56,
-      t93 = limbs.signed_U_null_space_0_by_limb5_S_wy[0] - limb2_U_null_space_0_by_limb5_S_wx * limbs.signed_U_null_space_0_by_limb5_S_wy[1],
+      t93 = limbs.signed_U_null_space_0_by_limb5_S_wy[0] - limb2_U_null_space_0_by_limb5_S_wx *
+          limbs.signed_U_null_space_0_by_limb5_S_wy[1],
       t94 = limb2_U_null_space_1_by_limb5_S_wx * limbs.signed_U_null_space_1_by_limb5_S_wy[1] + t93,
-      t96 = minus_platform_joint_force_mx_by_limb2_P * limbs.t7[1] + t94 - limbs.signed_U_null_space_0_by_limb5_S_wy[2],
+      t96 = minus_platform_joint_force_mx_by_limb2_P * limbs.t7[1] + t94 -
+          limbs.signed_U_null_space_0_by_limb5_S_wy[2],
       t98 = t96 + minus_limb4_U_null_space_0_by_limb5_S_wx * limbs.signed_U_null_space_0_by_limb5_S_wy[3],
       t100 = t98 + limb4_U_null_space_1_by_limb5_S_wx * limbs.signed_U_null_space_1_by_limb5_S_wy[3],
       t101 = platform_joint_force_mx_by_limb4_P * limbs.t7[3] + t100,
@@ -1047,8 +1131,10 @@ BODY(three_ups_upu_s_close_position)(size_t stride, const double *restrict q, do
     const REAL t75 = 1.0 / pivot_0, t102 = t75 * t101, t179 = t101 * t102, t196 = t75 * t139,
       t178 = t102 * t139 - t177,
       t185 = limbs.t10[1] + (limbs.t11[1] + (limbs.t12[1] + (limbs.t10[0] + (limbs.t11[0] + limbs.t12[0])))),
-      t191 = limbs.t10[3] + (limbs.t11[3] + (limbs.t12[3] + (limbs.t10[2] + (limbs.t11[2] + (limbs.t12[2] + t185))))),
-      minus_pivot_1 = t179 - (limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_null_space_wz_by_limb5_S_wy + (1.0 + t191));
+      t191 = limbs.t10[3] + (limbs.t11[3] + (limbs.t12[3] + (limbs.t10[2] + (limbs.t11[2] + (limbs.t12[2] +
+          t185))))),
+      minus_pivot_1 = t179 - (limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_null_space_wz_by_limb5_S_wy + (1.0 +
+          t191));
     checked1 = checked1 + minus_pivot_1;
     const REAL t194 = t178 / minus_pivot_1, t197 = t102 * t194 - t196, limb1_P_q = READ(q, 2);
     FIRST_LIMB(0, close_position, 3, stride, q, q_next, t194, t197, t55, t268, limb1_P_q, &limbs);
@@ -1062,12 +1148,14 @@ BODY(three_ups_upu_s_close_position)(size_t stride, const double *restrict q, do
     checked1 = checked1 + ALONE(limbs.checked[2]);
     RESULT(checked2, q_next, 1, READ(q, 1) + (t163 + limbs.t13[0]));
     RESULT(checked3, q_next, 7, READ(q, 7) - (t151 + limbs.t13[2]));
-    NEXT_LIMB(1, close_position, 3, stride, q, q_next, t194, -(limb2_U_null_space_0_by_limb5_S_wx * t197), t127, minus_platform_joint_force_mx_by_limb2_P * t197, t118, &limbs);
+    NEXT_LIMB(1, close_position, 3, stride, q, q_next, t194, -(limb2_U_null_space_0_by_limb5_S_wx * t197), t127,
+        minus_platform_joint_force_mx_by_limb2_P * t197, t118, &limbs);
     checked0 = checked0 + ALONE(limbs.checked[1]);
     RESULT(checked1, q_next, 4, READ(q, 4) + (t122 - (limbs.t13[1] - limb2_U_null_space_1_by_limb5_S_wx * t197)));
     const REAL limb2_P_q = READ(q, 5);
     RESULT(checked2, q_next, 5, limb2_P_q - limbs.P_q_next[1]);
-    NEXT_LIMB(3, close_position, 3, stride, q, q_next, t194, -(minus_limb4_U_null_space_0_by_limb5_S_wx * t197), t267, platform_joint_force_mx_by_limb4_P * t197, t105, &limbs);
+    NEXT_LIMB(3, close_position, 3, stride, q, q_next, t194, -(minus_limb4_U_null_space_0_by_limb5_S_wx * t197),
+        t267, platform_joint_force_mx_by_limb4_P * t197, t105, &limbs);
     checked3 = checked3 + ALONE(limbs.checked[3]);
     RESULT(checked0, q_next, 10, READ(q, 10) - (t109 - (limbs.t13[3] + limb4_U_null_space_1_by_limb5_S_wx * t197)));
     const REAL limb4_P_q = READ(q, 11);
@@ -1091,10 +1179,14 @@ BODY(three_ups_upu_s_close_position)(size_t stride, const double *restrict q, do
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
     FINITE_UNLESS4( /* status 1 where a pivot is smaller than its limit: */
-        SMALL4(limbs.minus_U_0_lever_mz_by_S_fz, 6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10) OR /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
+        SMALL4(limbs.minus_U_0_lever_mz_by_S_fz, 6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10) OR
+            /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the
+               reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
         SMALL(minus_limb5_S_pivot_wz, 1.0e-09) OR /* where the loops no longer determine limb5_S.wz */
-        SMALL(pivot_0, 5.4106e-09) OR /* where step 0 of symmetric equations loses rank: of drives, inertia or internal loads */
-        SMALL(minus_pivot_1, 5.4385e-09), /* where step 1 of symmetric equations loses rank: of drives, inertia or internal loads */
+        SMALL(pivot_0, 5.4106e-09) OR
+            /* where step 0 of symmetric equations loses rank: of drives, inertia or internal loads */
+        SMALL(minus_pivot_1, 5.4385e-09),
+            /* where step 1 of symmetric equations loses rank: of drives, inertia or internal loads */
         (checked0 + checked1) + (checked2 + checked3), limbs.checked);
 }
 #endif
@@ -1107,7 +1199,8 @@ BODY(three_ups_upu_s_close_velocity)(size_t stride, const double *restrict q, co
     /* limb5_S: geometry */
     const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t3 = limb5_S_q_qw * limb5_S_q_qw,
       t4 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t5 = t3 + t4, t6 = limb5_S_q_qy * limb5_S_q_qy,
-      limb5_S_q_qz = READ(q, 15), t7 = limb5_S_q_qz * limb5_S_q_qz, t8 = t6 + t7, t9 = t5 + t8, t11 = 4.0 - 2.0 * t9,
+      limb5_S_q_qz = READ(q, 15), t7 = limb5_S_q_qz * limb5_S_q_qz, t8 = t6 + t7, t9 = t5 + t8, t11 = 4.0 - 2.0 *
+          t9,
       t121 = t4 + t6, platform_turn_yy = 1.0 - t11 * (t4 + t7), platform_turn_zz = 1.0 - t11 * t121,
       platform_turn_xx = 1.0 - t8 * t11, t15 = limb5_S_q_qz * t11, t16 = limb5_S_q_qy * t15,
       t18 = limb5_S_q_qw * (limb5_S_q_qx * t11), t26 = limb5_S_q_qy * t11, platform_turn_zy = t16 + t18,
@@ -1147,7 +1240,8 @@ BODY(three_ups_upu_s_close_velocity)(size_t stride, const double *restrict q, co
     /* limb2: geometry; rates that follow */
     const REAL limb2_U_0_sin = SINES(cosine, 2), t155 = READ(v, 2) * t149 + t154, /* limb1 */
       t179 = limb1_P_null_space_by_limb5_S_wy * t149, /* limb1 */
-      t76 = limb2_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy, limb2_upper_offset_x = limb_upper_phase + READ(q, 5),
+      t76 = limb2_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy, limb2_upper_offset_x = limb_upper_phase + READ(q,
+          5),
       limb2_lower_sin = SINES(sine, 3),
       minus_limb2_upper_position_y = param_R - limb2_lower_sin * limb2_upper_offset_x,
       minus_limb2_U_0_cos = SINES(sine, 2), limb2_lower_cos = SINES(cosine, 3);
@@ -1211,7 +1305,8 @@ BODY(three_ups_upu_s_close_velocity)(size_t stride, const double *restrict q, co
       t165 = t130 + limb5_S_v_wz * platform_turn_yz + t164, platform_turn_zx = t103 - t104,
       platform_turn_xz = t103 + t104, t126 = limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy,
       t166 = (limb5_S_v_wz * platform_turn_zz + t126) * limb5_S_null_space_wz_by_limb5_S_wy + t165,
-      t80 = minus_limb2_U_null_space_0_by_limb5_S_wx * limb2_U_null_space_0_by_limb5_S_wy + minus_limb1_U_null_space_0_by_limb5_S_wy,
+      t80 = minus_limb2_U_null_space_0_by_limb5_S_wx * limb2_U_null_space_0_by_limb5_S_wy +
+          minus_limb1_U_null_space_0_by_limb5_S_wy,
       t81 = limb2_U_null_space_1_by_limb5_S_wx * minus_limb2_U_null_space_1_by_limb5_S_wy + t80,
       t88 = minus_platform_joint_force_mx_by_limb2_P * t72 + t81 - limb3_U_null_space_0_by_limb5_S_wy,
       t176 = minus_limb2_P_null_space_by_limb5_S_wy * t72, /* limb2 */
@@ -1238,7 +1333,8 @@ BODY(three_ups_upu_s_close_velocity)(size_t stride, const double *restrict q, co
       t102 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy,
       t119 = t102 + limb5_S_v_wz * platform_turn_xz - t118, t198 = t67 * t119, t167 = t98 * t119 + t166,
       t180 = limb1_U_null_space_1_by_limb5_S_wy * limb1_U_null_space_1_by_limb5_S_wy, /* limb1 */
-      t183 = t179 + (t180 + minus_limb1_U_null_space_0_by_limb5_S_wy * minus_limb1_U_null_space_0_by_limb5_S_wy); /* limb1 */
+      t183 = t179 + (t180 + minus_limb1_U_null_space_0_by_limb5_S_wy * minus_limb1_U_null_space_0_by_limb5_S_wy);
+          /* limb1 */
     /* mechanism: pivots; results */
     const REAL t184 = limb2_U_null_space_0_by_limb5_S_wy * limb2_U_null_space_0_by_limb5_S_wy + t183,
       t186 = t176 + (minus_limb2_U_null_space_1_by_limb5_S_wy * minus_limb2_U_null_space_1_by_limb5_S_wy + t184),
@@ -1246,7 +1342,8 @@ BODY(three_ups_upu_s_close_velocity)(size_t stride, const double *restrict q, co
       t189 = t173 + (limb3_U_null_space_1_by_limb5_S_wy * limb3_U_null_space_1_by_limb5_S_wy + t187),
       t190 = limb4_U_null_space_0_by_limb5_S_wy * limb4_U_null_space_0_by_limb5_S_wy + t189,
       t192 = t170 + (minus_limb4_U_null_space_1_by_limb5_S_wy * minus_limb4_U_null_space_1_by_limb5_S_wy + t190),
-      minus_pivot_1 = t168 - (limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_null_space_wz_by_limb5_S_wy + (1.0 + t192));
+      minus_pivot_1 = t168 - (limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_null_space_wz_by_limb5_S_wy + (1.0 +
+          t192));
     checked0 = checked0 + minus_pivot_1;
     const REAL t195 = t167 / minus_pivot_1;
     RESULT(checked1, v_next, 8, minus_limb3_P_null_space_by_limb5_S_wy * t195);
@@ -1258,20 +1355,26 @@ BODY(three_ups_upu_s_close_velocity)(size_t stride, const double *restrict q, co
     const REAL t201 = limb1_P_null_space_by_limb5_S_wy * t195; /* limb1 */
     checked0 = checked0 + t201; /* limb1 */
     WRITE(v_next, 2, -t201);
-    RESULT(checked1, v_next, 3, minus_limb2_U_null_space_0_by_limb5_S_wx * t199 - limb2_U_null_space_0_by_limb5_S_wy * t195);
-    RESULT(checked2, v_next, 4, minus_limb2_U_null_space_1_by_limb5_S_wy * t195 - limb2_U_null_space_1_by_limb5_S_wx * t199);
-    RESULT(checked3, v_next, 5, minus_limb2_P_null_space_by_limb5_S_wy * t195 - minus_platform_joint_force_mx_by_limb2_P * t199);
+    RESULT(checked1, v_next, 3, minus_limb2_U_null_space_0_by_limb5_S_wx * t199 - limb2_U_null_space_0_by_limb5_S_wy
+        * t195);
+    RESULT(checked2, v_next, 4, minus_limb2_U_null_space_1_by_limb5_S_wy * t195 - limb2_U_null_space_1_by_limb5_S_wx
+        * t199);
+    RESULT(checked3, v_next, 5, minus_limb2_P_null_space_by_limb5_S_wy * t195 -
+        minus_platform_joint_force_mx_by_limb2_P * t199);
     const REAL t209 = t199 + limb3_U_null_space_0_by_limb5_S_wy * t195; /* limb3 */
     checked0 = checked0 + t209; /* limb3 */
     WRITE(v_next, 6, -t209);
     const REAL t210 = limb3_U_null_space_1_by_limb5_S_wy * t195; /* limb3 */
     checked1 = checked1 + t210; /* limb3 */
     WRITE(v_next, 7, -t210);
-    const REAL t213 = limb4_U_null_space_0_by_limb5_S_wy * t195 + limb4_U_null_space_0_by_limb5_S_wx * t199; /* limb4 */
+    const REAL t213 = limb4_U_null_space_0_by_limb5_S_wy * t195 + limb4_U_null_space_0_by_limb5_S_wx * t199;
+        /* limb4 */
     checked2 = checked2 + t213; /* limb4 */
     WRITE(v_next, 9, -t213);
-    RESULT(checked3, v_next, 10, minus_limb4_U_null_space_1_by_limb5_S_wy * t195 - limb4_U_null_space_1_by_limb5_S_wx * t199);
-    RESULT(checked0, v_next, 11, platform_joint_force_mx_by_limb4_P * t199 - limb4_P_null_space_by_limb5_S_wy * t195);
+    RESULT(checked3, v_next, 10, minus_limb4_U_null_space_1_by_limb5_S_wy * t195 -
+        limb4_U_null_space_1_by_limb5_S_wx * t199);
+    RESULT(checked0, v_next, 11, platform_joint_force_mx_by_limb4_P * t199 - limb4_P_null_space_by_limb5_S_wy *
+        t195);
     /* limb5_S: results */
     const REAL t222 = platform_turn_yx * t195 + platform_turn_xx * t199,
       t218 = limb5_S_null_space_wz_by_limb5_S_wy * t195, t223 = platform_turn_zx * t218 + t222;
@@ -1288,13 +1391,19 @@ BODY(three_ups_upu_s_close_velocity)(size_t stride, const double *restrict q, co
     NOT_BELOW(t9, 0.999999, 5);
     NOT_ABOVE(t9, 1.000001, 5);
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
-        SMALL(minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-10) OR /* where the reciprocal wrench limb3_S.fz has no power along limb3_U.0, as in a stretched limb */
-        SMALL(minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-10) OR /* where the reciprocal wrench limb2_S.fz has no power along limb2_U.0, as in a stretched limb */
-        SMALL(minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-10) OR /* where the reciprocal wrench limb4_S.fz has no power along limb4_U.0, as in a stretched limb */
-        SMALL(minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-10) OR /* where the reciprocal wrench limb1_U2.fz has no power along limb1_U.0, as in a stretched limb */
+        SMALL(minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-10) OR
+            /* where the reciprocal wrench limb3_S.fz has no power along limb3_U.0, as in a stretched limb */
+        SMALL(minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-10) OR
+            /* where the reciprocal wrench limb2_S.fz has no power along limb2_U.0, as in a stretched limb */
+        SMALL(minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-10) OR
+            /* where the reciprocal wrench limb4_S.fz has no power along limb4_U.0, as in a stretched limb */
+        SMALL(minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-10) OR
+            /* where the reciprocal wrench limb1_U2.fz has no power along limb1_U.0, as in a stretched limb */
         SMALL(minus_limb5_S_pivot_wz, 1.0e-09) OR /* where the loops no longer determine limb5_S.wz */
-        SMALL(pivot_0, 5.4106e-09) OR /* where step 0 of symmetric equations loses rank: of drives, inertia or internal loads */
-        SMALL(minus_pivot_1, 5.4385e-09), /* where step 1 of symmetric equations loses rank: of drives, inertia or internal loads */
+        SMALL(pivot_0, 5.4106e-09) OR
+            /* where step 0 of symmetric equations loses rank: of drives, inertia or internal loads */
+        SMALL(minus_pivot_1, 5.4385e-09),
+            /* where step 1 of symmetric equations loses rank: of drives, inertia or internal loads */
         (checked0 + checked1) + (checked2 + checked3));
 }
 #endif
@@ -1497,10 +1606,12 @@ STAGE(assemble_step, 1)(size_t limb, size_t stride, const double *restrict sine,
     const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, 1.0, 1.0);
     /* each limb: loop closure; results */
     const LIMB4 t1 = OWN(signed_upper_position_x) + sign2 * (given - sign1 * given_2);
-    OWN(S_opening_fx) = OF4(SINES(sine, 1), SINES(sine, 4), SINES(sine, 6), SINES(sine, 9)) * t1 + given_5 + given_6;
+    OWN(S_opening_fx) = OF4(SINES(sine, 1), SINES(sine, 4), SINES(sine, 6), SINES(sine, 9)) * t1 + given_5 +
+        given_6;
     const LIMB4 t6 = (-per_length) * OWN(S_opening_fx);
     OWN(t13) = t6 * t6;
-    OWN(signed_S_opening_fy) = given_4 - (OF4(SINES(cosine, 1), SINES(cosine, 4), SINES(cosine, 6), SINES(cosine, 9)) * t1 - given_3);
+    OWN(signed_S_opening_fy) = given_4 - (OF4(SINES(cosine, 1), SINES(cosine, 4), SINES(cosine, 6), SINES(cosine,
+        9)) * t1 - given_3);
     const LIMB4 t7 = per_length * OWN(signed_S_opening_fy);
     OWN(t14) = t7 * t7;
 }
@@ -1514,10 +1625,12 @@ STAGE(assemble_step, 2)(size_t limb, size_t stride, double *restrict q_next, con
       sign3 = OF4(1.0, 1.0, -1.0, 1.0), each_param_R = -sign3 * param_R;
     /* each limb: geometry; results */
     OWN(signed_lower_limb_target_x_2) = given_3 + sign2 * given_4;
-    const LIMB4 t1 = OF4(SINES(sine, 0), SINES(sine, 3), SINES(sine, 5), SINES(sine, 8)) * OWN(signed_lower_limb_target_x_2),
+    const LIMB4 t1 = OF4(SINES(sine, 0), SINES(sine, 3), SINES(sine, 5), SINES(sine, 8)) *
+        OWN(signed_lower_limb_target_x_2),
       t4 = OWN(signed_lower_limb_target_x_2) * OWN(signed_lower_limb_target_x_2);
     OWN(signed_lower_limb_target_y) = given - sign1 * given_2;
-    const LIMB4 t2 = OF4(SINES(cosine, 0), SINES(cosine, 3), SINES(cosine, 5), SINES(cosine, 8)) * OWN(signed_lower_limb_target_y);
+    const LIMB4 t2 = OF4(SINES(cosine, 0), SINES(cosine, 3), SINES(cosine, 5), SINES(cosine, 8)) *
+        OWN(signed_lower_limb_target_y);
     OWN(t7) = t1 + t2;
     OWN(t8) = OWN(signed_lower_limb_target_y) * OWN(signed_lower_limb_target_y) + t4;
     OWN(signed_lower_limb_target_z) = given_5 + sign1 * given_6 + each_param_R;
@@ -1584,7 +1697,8 @@ BODY(three_ups_upu_s_assemble_step)(size_t stride, const double *restrict q, con
       t57 = 0.5 * platform_turn_yy, /* platform */
       minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * limbs.t1[0],
       limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x,
-      minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn + limbs.signed_upper_position_x[0] * minus_limb1_U_factor_0_by_3,
+      minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn + limbs.signed_upper_position_x[0] *
+          minus_limb1_U_factor_0_by_3,
       t52 = limbs.signed_S_opening_fz[0] * minus_limb1_U_factor_0_by_3;
     /* limb5_S: pivots */
     const REAL minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + t39,
@@ -1598,14 +1712,18 @@ BODY(three_ups_upu_s_assemble_step)(size_t stride, const double *restrict q, con
       limb1_U2_opening_mn = t53 + limb1_lower_cos * platform_turn_xy;
     NEXT_LIMB(1, assemble_step, 0, stride, q, sine, cosine, t45, t46, t50, t51, &limbs);
     NEXT_LIMB(3, assemble_step, 0, stride, q, sine, cosine, t45, t46, t50, t51, &limbs);
-    const REAL t331 = limbs.upper_offset_x[0] * (limbs.upper_offset_x[3] * (limbs.upper_offset_x[1] * limbs.upper_offset_x[2])),
-      t334 = limbs.minus_U_0_lever_mz_by_S_fz[3] * (limbs.minus_U_0_lever_mz_by_S_fz[1] * (limbs.minus_U_0_lever_mz_by_S_fz[2] * t331)),
+    const REAL t331 = limbs.upper_offset_x[0] * (limbs.upper_offset_x[3] * (limbs.upper_offset_x[1] *
+        limbs.upper_offset_x[2])),
+      t334 = limbs.minus_U_0_lever_mz_by_S_fz[3] * (limbs.minus_U_0_lever_mz_by_S_fz[1] *
+          (limbs.minus_U_0_lever_mz_by_S_fz[2] * t331)),
       t337 = a_pivot * (limbs.minus_U_0_lever_mz_by_S_fz[0] * t334 * minus_limb5_S_pivot_wz);
     REAL checked0 = t337;
     WRITE(orientation_, 0, -t337);
     const REAL t86 = 1.0 / a_pivot;
-    FIRST_LIMB(0, assemble_step, 1, stride, sine, cosine, t56, t50, limbs.t3[0], limbs.t4[0], limbs.t6[0], limbs.t5[0], &limbs);
-    NEXT_LIMB(2, assemble_step, 1, stride, sine, cosine, t56, t50, limbs.t3[2], limbs.t4[2], limbs.t6[2], limbs.t5[2], &limbs);
+    FIRST_LIMB(0, assemble_step, 1, stride, sine, cosine, t56, t50, limbs.t3[0], limbs.t4[0], limbs.t6[0],
+        limbs.t5[0], &limbs);
+    NEXT_LIMB(2, assemble_step, 1, stride, sine, cosine, t56, t50, limbs.t3[2], limbs.t4[2], limbs.t6[2],
+        limbs.t5[2], &limbs);
     const REAL t61 = t40 * (t52 - (limb1_U2_opening_mn + limbs.signed_S_opening_fy[0] * limb1_U_factor_1_by_3)),
       t71 = 0.5 * (t69 * t61), t318 = limb1_U2_opening_mn * limb1_U2_opening_mn, /* limb1 */
       t64 = limb5_S_q_qx - READ(y, 0) + 0.5 * (t17 * t61), t65 = t15 * t64, t94 = t84 * t64,
@@ -1613,7 +1731,8 @@ BODY(three_ups_upu_s_assemble_step)(size_t stride, const double *restrict q, con
       t89 = t40 * (t77 * t87),
       t196 = limbs.t1[0] * (limbs.signed_upper_position_x[0] * (limb1_U_0_cos * t89 - limb1_U_0_sin * t87)),
       t197 = t96 + t196,
-      t201 = limbs.t1[0] * (limbs.signed_S_opening_fz[0] - limbs.signed_upper_position_x[0] * (limb1_U_0_cos * t61)),
+      t201 = limbs.t1[0] * (limbs.signed_S_opening_fz[0] - limbs.signed_upper_position_x[0] * (limb1_U_0_cos *
+          t61)),
       t202 = t197 - t201, t203 = t202 * t202, t184 = limb1_U_0_sin * t89 + limb1_U_0_cos * t87,
       t204 = limbs.S_arm_x[0] * t184, t185 = limbs.signed_S_arm_y[0] * t184, t186 = limb1_U_0_sin * t61,
       t208 = limbs.t2[0] * (t204 - (limbs.signed_S_opening_fy[0] - limbs.S_arm_x[0] * t186)),
@@ -1623,12 +1742,15 @@ BODY(three_ups_upu_s_assemble_step)(size_t stride, const double *restrict q, con
       t319 = limbs.t13[0] + limbs.t14[0] + limbs.t15[0] + t318, /* limb1 */
       t174 = limbs.t1[1] * (limbs.signed_upper_position_x[1] * (limb2_U_0_sin * t89 - minus_limb2_U_0_cos * t96)),
       t175 = t87 + t174,
-      t179 = limbs.t1[1] * (limbs.signed_upper_position_x[1] * (limb2_U_0_sin * t61) - limbs.signed_S_opening_fz[1]),
+      t179 = limbs.t1[1] * (limbs.signed_upper_position_x[1] * (limb2_U_0_sin * t61) -
+          limbs.signed_S_opening_fz[1]),
       t180 = t175 + t179, t212 = t180 * t180 + t211, t156 = minus_limb2_U_0_cos * t89 + limb2_U_0_sin * t96,
       t164 = limbs.S_arm_x[1] * t156, t157 = limbs.signed_S_arm_y[1] * t156, t158 = minus_limb2_U_0_cos * t61,
       t165 = limbs.S_arm_x[1] * t158, t159 = limbs.signed_S_arm_y[1] * t158;
-    NEXT_LIMB(1, assemble_step, 1, stride, sine, cosine, t42, t57, limbs.t4[1], limbs.t3[1], limbs.t5[1], limbs.t6[1], &limbs);
-    NEXT_LIMB(3, assemble_step, 1, stride, sine, cosine, t42, t57, limbs.t4[3], limbs.t3[3], limbs.t5[3], limbs.t6[3], &limbs);
+    NEXT_LIMB(1, assemble_step, 1, stride, sine, cosine, t42, t57, limbs.t4[1], limbs.t3[1], limbs.t5[1],
+        limbs.t6[1], &limbs);
+    NEXT_LIMB(3, assemble_step, 1, stride, sine, cosine, t42, t57, limbs.t4[3], limbs.t3[3], limbs.t5[3],
+        limbs.t6[3], &limbs);
     const REAL t168 = limbs.t2[1] * (t164 + (limbs.signed_S_opening_fy[1] + t165)), t213 = t168 * t168 + t212,
       t162 = per_length * (t157 - (limbs.S_opening_fx[1] - t159)), t214 = t162 * t162 + t213,
       t325 = t319 + limbs.t13[1] + limbs.t14[1] + limbs.t15[1] + limbs.t13[2] + limbs.t14[2] + limbs.t15[2],
@@ -1638,7 +1760,8 @@ BODY(three_ups_upu_s_assemble_step)(size_t stride, const double *restrict q, con
     const REAL limb3_U_0_cos = SINES(cosine, 5), limb3_U_0_sin = SINES(sine, 5),
       t146 = limbs.t1[2] * (limbs.signed_upper_position_x[2] * (limb3_U_0_cos * t89 - limb3_U_0_sin * t87)),
       t147 = t96 - t146,
-      t151 = limbs.t1[2] * (limbs.signed_S_opening_fz[2] + limbs.signed_upper_position_x[2] * (limb3_U_0_cos * t61)),
+      t151 = limbs.t1[2] * (limbs.signed_S_opening_fz[2] + limbs.signed_upper_position_x[2] * (limb3_U_0_cos *
+          t61)),
       t152 = t147 - t151, t215 = t152 * t152 + t214, t128 = limb3_U_0_sin * t89 + limb3_U_0_cos * t87,
       t136 = limbs.S_arm_x[2] * t128, t129 = limbs.signed_S_arm_y[2] * t128, t130 = limb3_U_0_sin * t61,
       t140 = limbs.t2[2] * (t136 + (limbs.signed_S_opening_fy[2] + limbs.S_arm_x[2] * t130)),
@@ -1647,7 +1770,8 @@ BODY(three_ups_upu_s_assemble_step)(size_t stride, const double *restrict q, con
       limb4_U_0_sin = SINES(cosine, 7), minus_limb4_U_0_cos = SINES(sine, 7), t217 = t134 * t134 + t216,
       t118 = limbs.t1[3] * (limbs.signed_upper_position_x[3] * (limb4_U_0_sin * t89 - minus_limb4_U_0_cos * t96)),
       t119 = t87 - t118,
-      t123 = limbs.t1[3] * (limbs.signed_S_opening_fz[3] + limbs.signed_upper_position_x[3] * (limb4_U_0_sin * t61)),
+      t123 = limbs.t1[3] * (limbs.signed_S_opening_fz[3] + limbs.signed_upper_position_x[3] * (limb4_U_0_sin *
+          t61)),
       t124 = t119 - t123, t218 = t124 * t124 + t217, t98 = minus_limb4_U_0_cos * t89, t90 = t61 + t89,
       t102 = minus_limb4_U_0_cos * t61, t100 = t98 + limb4_U_0_sin * t96, t101 = limbs.signed_S_arm_y[3] * t100,
       t112 = limbs.t2[3] * (limbs.S_arm_x[3] * t100 - (limbs.signed_S_opening_fy[3] - limbs.S_arm_x[3] * t102)),
@@ -1706,7 +1830,9 @@ BODY(three_ups_upu_s_assemble_step)(size_t stride, const double *restrict q, con
     NOT_BELOW(t11, 0.999999, 5);
     NOT_ABOVE(t11, 1.000001, 5);
     FINITE_UNLESS4( /* status 1 where a pivot is smaller than its limit: */
-        SMALL4(limbs.minus_U_0_lever_mz_by_S_fz, 6.62327e-13, 6.62327e-13, 6.62327e-13, 6.62327e-13) OR /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
+        SMALL4(limbs.minus_U_0_lever_mz_by_S_fz, 6.62327e-13, 6.62327e-13, 6.62327e-13, 6.62327e-13) OR
+            /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the
+               reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
         SMALL(minus_limb5_S_pivot_wz, 1.0e-12) OR /* where the loops no longer determine limb5_S.wz */
         SMALL(a_pivot, 1.0e-12), /* where the elimination meets a singularity */
         (checked0 + checked1) + (checked2 + checked3), limbs.checked);

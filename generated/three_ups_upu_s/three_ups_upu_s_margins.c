@@ -62,7 +62,8 @@ BODY(three_ups_upu_s_constraint_margin)(size_t stride, const double *restrict q,
     /* limb1: reciprocal wrenches, eq. (10) */
     const REAL t24 = limb1_lower_sin * (limb5_S_q_qx * (limb5_S_q_qy * t10) - t23),
       t27 = limb1_U_0_sin * platform_turn_zy,
-      limb1_U2_constraint_mn_couple_z = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy) - t24,
+      limb1_U2_constraint_mn_couple_z = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos *
+          platform_turn_zy) - t24,
       limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + t27,
       t25 = limb1_U_0_sin * limb1_U2_constraint_mn_couple_z, t36 = limb1_U_0_cos * limb1_U2_constraint_mn_couple_z,
       limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x,
@@ -96,7 +97,8 @@ BODY(three_ups_upu_s_actuation_margins)(size_t stride, const double *restrict q,
     /* limb5_S: geometry */
     const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t35 = limb5_S_q_qw * limb5_S_q_qw,
       t36 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), limb5_S_q_qz = READ(q, 15), t37 = t35 + t36,
-      t38 = limb5_S_q_qy * limb5_S_q_qy, t39 = limb5_S_q_qz * limb5_S_q_qz, t41 = t37 + (t38 + t39), t44 = t36 + t39,
+      t38 = limb5_S_q_qy * limb5_S_q_qy, t39 = limb5_S_q_qz * limb5_S_q_qz, t41 = t37 + (t38 + t39), t44 = t36 +
+          t39,
       t43 = 4.0 - 2.0 * t41, platform_turn_yy = 1.0 - t43 * t44, t47 = limb5_S_q_qz * t43, t56 = limb5_S_q_qw * t47,
       platform_turn_zy = limb5_S_q_qy * t47 + limb5_S_q_qw * (limb5_S_q_qx * t43);
     /* limb1: geometry */
@@ -105,7 +107,8 @@ BODY(three_ups_upu_s_actuation_margins)(size_t stride, const double *restrict q,
     /* limb1: reciprocal wrenches, eq. (10) */
     const REAL t57 = limb1_lower_sin * (limb5_S_q_qx * (limb5_S_q_qy * t43) - t56),
       t60 = limb1_U_0_sin * platform_turn_zy,
-      limb1_U2_constraint_mn_couple_z = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy) - t57,
+      limb1_U2_constraint_mn_couple_z = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos *
+          platform_turn_zy) - t57,
       limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + t60,
       t58 = limb1_U_0_sin * limb1_U2_constraint_mn_couple_z, t70 = limb1_U_0_cos * limb1_U2_constraint_mn_couple_z,
       limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x,

@@ -56,10 +56,12 @@ STAGE(momentum_screws, 0)(size_t limb, size_t stride, const double *restrict q, 
       t124 = t117 + signed_lower_twist_wz * (t3 * t102 + t119 - t8 * t106);
     OWN(signed_upper_momentum_Lz) = t124 + t171;
     WRITE4(momenta, 17, 29, 41, 53, sign3 * OWN(signed_upper_momentum_Lz));
-    OWN(signed_upper_momentum_pz) = each_limb_lower_m * (signed_upper_twist_vz + (U_v_0 * t141 + signed_lower_twist_wy * t153));
+    OWN(signed_upper_momentum_pz) = each_limb_lower_m * (signed_upper_twist_vz + (U_v_0 * t141 +
+        signed_lower_twist_wy * t153));
     WRITE4(momenta, 14, 26, 38, 50, -sign3 * OWN(signed_upper_momentum_pz));
     const LIMB4 t168 = t178 + t153 * OWN(signed_upper_momentum_pz),
-      t165 = t164 - sign1 * (t141 * OWN(signed_upper_momentum_pz)), t74 = limb_lower_Ixx * t15 - limb_lower_Ixz * t20,
+      t165 = t164 - sign1 * (t141 * OWN(signed_upper_momentum_pz)), t74 = limb_lower_Ixx * t15 - limb_lower_Ixz *
+          t20,
       t82 = t15 * t74, t83 = limb_lower_Iyy * U_0_cos, t85 = t82 + U_0_cos * t83, t91 = signed_U_0_sin * t83,
       t78 = limb_lower_Ixz * t15 - limb_lower_Izz * t20, t88 = signed_lower_twist_wy * (t85 - t20 * t78),
       t89 = U_v_0 * (t28 * t74 - t34 * t78) - t88, t96 = t89 + signed_lower_twist_wz * (t3 * t74 - t91 - t8 * t78),
@@ -114,7 +116,8 @@ BODY(three_ups_upu_s_momentum_screws)(size_t stride, const double *restrict q, c
       platform_turn_yx = t17 + t19, t41 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy,
       platform_twist_wx = t41 + limb5_S_v_wz * platform_turn_xz;
     /* platform: momentum, eq. (31); velocities, eq. (6); results */
-    const REAL t12 = param_H * platform_turn_zz, platform_momentum_py = platform_m * (t37 - t12 * platform_twist_wx);
+    const REAL t12 = param_H * platform_turn_zz, platform_momentum_py = platform_m * (t37 - t12 *
+        platform_twist_wx);
     WRITE(momenta, 1, platform_momentum_py);
     const REAL t100 = t36 * platform_momentum_py,
       t21 = limb5_S_v_wy * platform_turn_yy + limb5_S_v_wx * platform_turn_yx,
@@ -129,27 +132,33 @@ BODY(three_ups_upu_s_momentum_screws)(size_t stride, const double *restrict q, c
       platform_momentum_Lz = t102 + (t111 + t117 + platform_twist_wz * (t121 + platform_turn_zz * t108));
     WRITE(momenta, 5, platform_momentum_Lz);
     const REAL limb1_U_0_sin = SINES(sine, 0), limb1_U_0_cos = SINES(cosine, 0);
-    FIRST_LIMB(0, momentum_screws, 0, stride, q, v, momenta, sine, cosine, param_R * limb1_U_0_sin, param_R * limb1_U_0_cos, &limbs);
+    FIRST_LIMB(0, momentum_screws, 0, stride, q, v, momenta, sine, cosine, param_R * limb1_U_0_sin, param_R *
+        limb1_U_0_cos, &limbs);
     const REAL minus_limb2_U_0_cos = SINES(sine, 2), limb2_U_0_sin = SINES(cosine, 2),
       t162 = platform_momentum_Lz + limbs.signed_lower_momentum_Lz[0] + limbs.signed_upper_momentum_Lz[0];
-    NEXT_LIMB(1, momentum_screws, 0, stride, q, v, momenta, sine, cosine, param_R * minus_limb2_U_0_cos, param_R * limb2_U_0_sin, &limbs);
+    NEXT_LIMB(1, momentum_screws, 0, stride, q, v, momenta, sine, cosine, param_R * minus_limb2_U_0_cos, param_R *
+        limb2_U_0_sin, &limbs);
     const REAL limb3_U_0_sin = SINES(sine, 4), limb3_U_0_cos = SINES(cosine, 4);
     /* platform: results; momentum, eq. (31) */
     const REAL t164 = t162 - limbs.signed_lower_momentum_Lz[1] - limbs.signed_upper_momentum_Lz[1];
-    NEXT_LIMB(2, momentum_screws, 0, stride, q, v, momenta, sine, cosine, param_R * limb3_U_0_sin, param_R * limb3_U_0_cos, &limbs);
+    NEXT_LIMB(2, momentum_screws, 0, stride, q, v, momenta, sine, cosine, param_R * limb3_U_0_sin, param_R *
+        limb3_U_0_cos, &limbs);
     const REAL minus_limb4_U_0_cos = SINES(sine, 6), limb4_U_0_sin = SINES(cosine, 6),
       t166 = t164 - limbs.signed_lower_momentum_Lz[2] - limbs.signed_upper_momentum_Lz[2];
-    NEXT_LIMB(3, momentum_screws, 0, stride, q, v, momenta, sine, cosine, param_R * minus_limb4_U_0_cos, param_R * limb4_U_0_sin, &limbs);
+    NEXT_LIMB(3, momentum_screws, 0, stride, q, v, momenta, sine, cosine, param_R * minus_limb4_U_0_cos, param_R *
+        limb4_U_0_sin, &limbs);
     const REAL Lz_total = t166 + limbs.signed_lower_momentum_Lz[3] + limbs.signed_upper_momentum_Lz[3];
     WRITE(total_, 5, Lz_total);
     REAL checked0 = Lz_total;
     const REAL t74 = t12 * platform_momentum_px, t49 = t12 * platform_momentum_py,
-      t135 = platform_momentum_py + limbs.lower_momentum_py[0] + limbs.upper_momentum_py[0] + limbs.lower_momentum_px[1],
+      t135 = platform_momentum_py + limbs.lower_momentum_py[0] + limbs.upper_momentum_py[0] +
+          limbs.lower_momentum_px[1],
       t138 = t135 + limbs.signed_upper_momentum_px[1] + limbs.lower_momentum_py[2] + limbs.upper_momentum_py[2],
       py_total = t138 + limbs.lower_momentum_px[3] - limbs.signed_upper_momentum_px[3];
     WRITE(total_, 1, py_total);
     REAL checked1 = py_total;
-    const REAL t128 = platform_momentum_px + limbs.lower_momentum_px[0] + limbs.signed_upper_momentum_px[0] + limbs.lower_momentum_py[1],
+    const REAL t128 = platform_momentum_px + limbs.lower_momentum_px[0] + limbs.signed_upper_momentum_px[0] +
+        limbs.lower_momentum_py[1],
       t131 = t128 + limbs.upper_momentum_py[1] + limbs.lower_momentum_px[2] - limbs.signed_upper_momentum_px[2],
       px_total = t131 + limbs.lower_momentum_py[3] + limbs.upper_momentum_py[3];
     WRITE(total_, 0, px_total);
@@ -157,8 +166,10 @@ BODY(three_ups_upu_s_momentum_screws)(size_t stride, const double *restrict q, c
     const REAL platform_momentum_pz = platform_m * (t27 * platform_twist_wx - t36 * platform_twist_wy);
     WRITE(momenta, 2, platform_momentum_pz);
     const REAL t76 = t74 - t36 * platform_momentum_pz, t50 = t27 * platform_momentum_pz - t49,
-      t142 = platform_momentum_pz + limbs.lower_momentum_pz[0] - limbs.signed_upper_momentum_pz[0] + limbs.lower_momentum_pz[1],
-      t145 = t142 + limbs.signed_upper_momentum_pz[1] + limbs.lower_momentum_pz[2] + limbs.signed_upper_momentum_pz[2],
+      t142 = platform_momentum_pz + limbs.lower_momentum_pz[0] - limbs.signed_upper_momentum_pz[0] +
+          limbs.lower_momentum_pz[1],
+      t145 = t142 + limbs.signed_upper_momentum_pz[1] + limbs.lower_momentum_pz[2] +
+          limbs.signed_upper_momentum_pz[2],
       pz_total = t145 + limbs.lower_momentum_pz[3] - limbs.signed_upper_momentum_pz[3];
     WRITE(total_, 2, pz_total);
     REAL checked3 = pz_total;
@@ -170,8 +181,10 @@ BODY(three_ups_upu_s_momentum_screws)(size_t stride, const double *restrict q, c
       t91 = platform_twist_wy * (platform_turn_yx * t77 + platform_turn_yy * t79 + platform_turn_yz * t82),
       platform_momentum_Ly = t76 + (t85 + t91 + platform_twist_wz * (t95 + platform_turn_zz * t82));
     WRITE(momenta, 4, platform_momentum_Ly);
-    const REAL t156 = platform_momentum_Ly + limbs.lower_momentum_Ly[0] + limbs.upper_momentum_Ly[0] + limbs.lower_momentum_Lx[1],
-      t160 = t156 + limbs.upper_momentum_Lx[1] + limbs.lower_momentum_Ly[2] + limbs.upper_momentum_Ly[2] + limbs.lower_momentum_Lx[3];
+    const REAL t156 = platform_momentum_Ly + limbs.lower_momentum_Ly[0] + limbs.upper_momentum_Ly[0] +
+        limbs.lower_momentum_Lx[1],
+      t160 = t156 + limbs.upper_momentum_Lx[1] + limbs.lower_momentum_Ly[2] + limbs.upper_momentum_Ly[2] +
+          limbs.lower_momentum_Lx[3];
     RESULT(checked0, total_, 4, t160 + limbs.upper_momentum_Lx[3]);
     const REAL t53 = platform_Ixx * platform_turn_xy, t54 = platform_turn_xy * t53, t61 = platform_turn_yy * t53,
       t68 = platform_turn_zy * t53, t51 = platform_Ixx * platform_turn_xx, t55 = platform_turn_xx * t51 + t54,
@@ -180,8 +193,10 @@ BODY(three_ups_upu_s_momentum_screws)(size_t stride, const double *restrict q, c
       t66 = t59 + platform_twist_wy * (t62 + platform_turn_yz * t56),
       platform_momentum_Lx = t50 + (t66 + platform_twist_wz * (t69 + platform_turn_zz * t56));
     WRITE(momenta, 3, platform_momentum_Lx);
-    const REAL t149 = platform_momentum_Lx + limbs.lower_momentum_Lx[0] + limbs.upper_momentum_Lx[0] + limbs.lower_momentum_Ly[1],
-      t153 = t149 + limbs.upper_momentum_Ly[1] + limbs.lower_momentum_Lx[2] + limbs.upper_momentum_Lx[2] + limbs.lower_momentum_Ly[3];
+    const REAL t149 = platform_momentum_Lx + limbs.lower_momentum_Lx[0] + limbs.upper_momentum_Lx[0] +
+        limbs.lower_momentum_Ly[1],
+      t153 = t149 + limbs.upper_momentum_Ly[1] + limbs.lower_momentum_Lx[2] + limbs.upper_momentum_Lx[2] +
+          limbs.lower_momentum_Ly[3];
     RESULT(checked1, total_, 3, t153 + limbs.upper_momentum_Ly[3]);
     /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
@@ -203,7 +218,8 @@ STAGE(momentum_rates, 0)(size_t limb, size_t stride, const double *restrict q, c
       factor_2 = -sign2 * 0.5, sign3 = OF4(1.0, -1.0, -1.0, 1.0);
     const LIMB4 signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2), lower_cos = IN_EACH4(SINES, cosine, 1, 2);
     /* each limb: geometry; momentum rate, eq. (35) */
-    const LIMB4 minus_lower_rotation_yx = signed_U_0_sin * lower_cos, signed_lower_sin = IN_EACH4(SINES, sine, 1, 2),
+    const LIMB4 minus_lower_rotation_yx = signed_U_0_sin * lower_cos, signed_lower_sin = IN_EACH4(SINES, sine, 1,
+        2),
       t19 = 0.5 * minus_lower_rotation_yx, signed_lower_rotation_yy = signed_U_0_sin * signed_lower_sin,
       t21 = t19 + each_k1 * signed_lower_rotation_yy, t23 = limb_lower_com_x * t21,
       t26 = k1 * minus_lower_rotation_yx - factor_2 * signed_lower_rotation_yy,
@@ -254,7 +270,8 @@ STAGE(momentum_rates, 0)(size_t limb, size_t stride, const double *restrict q, c
       t202 = t200 + signed_lower_twist_rate_wz * t130, t133 = lower_twist_wy * signed_lower_momentum_Lz,
       t177 = t325 * signed_lower_momentum_Lz, t136 = t14 * lower_momentum_px + t45 * signed_lower_momentum_pz,
       t139 = limb_lower_Ixx * t21 - limb_lower_Ixz * t26, t147 = t21 * t139, t148 = limb_lower_Iyy * U_0_cos,
-      t150 = t147 + U_0_cos * t148, t156 = signed_U_0_sin * t148, t143 = limb_lower_Ixz * t21 - limb_lower_Izz * t26,
+      t150 = t147 + U_0_cos * t148, t156 = signed_U_0_sin * t148, t143 = limb_lower_Ixz * t21 - limb_lower_Izz *
+          t26,
       t152 = t150 - t26 * t143, t153 = lower_twist_wy * t152, t185 = signed_lower_twist_rate_wy * t152,
       t157 = t6 * t139 - t156, t145 = t36 * t139 - t42 * t143, t159 = t157 - t11 * t143;
     /* each limb: momentum rate, eq. (35); momentum, eq. (31); accelerations */
@@ -265,7 +282,8 @@ STAGE(momentum_rates, 0)(size_t limb, size_t stride, const double *restrict q, c
       t170 = t29 * signed_lower_momentum_pz - t14 * signed_lower_momentum_py, t83 = t14 * t69 - t29 * t80,
       t189 = t14 * t32 + t45 * t80 - t188, t203 = t45 * t69 + t29 * t32 - t202,
       t86 = limb_lower_Ixx * t36 - limb_lower_Ixz * t42, t87 = t36 * t86,
-      t90 = limb_lower_Ixz * t36 - limb_lower_Izz * t42, t92 = t87 - t42 * t90, t93 = U_a_0 * t92, t171 = t325 * t92,
+      t90 = limb_lower_Ixz * t36 - limb_lower_Izz * t42, t92 = t87 - t42 * t90, t93 = U_a_0 * t92, t171 = t325 *
+          t92,
       t99 = t6 * t86, t96 = t21 * t86 - t26 * t90, t101 = t99 - t11 * t90, t173 = t171 - lower_twist_wy * t96,
       t103 = t93 + signed_lower_twist_rate_wy * t96 + signed_lower_twist_rate_wz * t101,
       lower_rate_at_O_mx = t167 - (t83 - t103);
@@ -273,7 +291,8 @@ STAGE(momentum_rates, 0)(size_t limb, size_t stride, const double *restrict q, c
     checked = checked + lower_rate_at_O_mx;
     const LIMB4 t175 = t173 + signed_lower_twist_wz * t101, signed_lower_momentum_Lx = t170 + t175,
       t192 = t190 - lower_twist_wy * signed_lower_momentum_Lx,
-      signed_lower_rate_at_O_my = signed_lower_twist_wz * signed_lower_momentum_Lx - t177 - t329 * lower_momentum_px + t189;
+      signed_lower_rate_at_O_my = signed_lower_twist_wz * signed_lower_momentum_Lx - t177 - t329 * lower_momentum_px
+          + t189;
     WRITE4(momentum_rates, 10, 21, 34, 45, sign1 * signed_lower_rate_at_O_my);
     checked = checked + signed_lower_rate_at_O_my;
     const LIMB4 signed_lower_rate_at_O_mz = t192 - signed_lower_twist_vy * lower_momentum_px + t203;
@@ -299,9 +318,11 @@ STAGE(momentum_rates, 0)(size_t limb, size_t stride, const double *restrict q, c
       t229 = limb_lower_m * (P_a * signed_lower_sin + t208 - t227), signed_upper_rate_at_O_fx = t229 - t250;
     WRITE4(momentum_rates, 12, 25, 36, 49, sign1 * signed_upper_rate_at_O_fx);
     checked = checked + signed_upper_rate_at_O_fx;
-    const LIMB4 t253 = lower_twist_wy * t216 + signed_lower_twist_wz * t225, upper_twist_vx = t331 * signed_lower_sin,
+    const LIMB4 t253 = lower_twist_wy * t216 + signed_lower_twist_wz * t225, upper_twist_vx = t331 *
+        signed_lower_sin,
       upper_momentum_px = limb_lower_m * (upper_twist_vx + t253),
-      t257 = signed_lower_twist_wz * upper_momentum_px + t325 * signed_upper_momentum_pz, t266 = U_a_0 * t216 - t264,
+      t257 = signed_lower_twist_wz * upper_momentum_px + t325 * signed_upper_momentum_pz, t266 = U_a_0 * t216 -
+          t264,
       t259 = P_a * minus_lower_rotation_yx - t330, t274 = t325 * minus_lower_rotation_yx,
       t267 = t259 - t331 * (signed_lower_sin * signed_lower_twist_wz - t325 * signed_lower_rotation_zx) + t266,
       t268 = limb_lower_m * t267, upper_rate_at_O_fy = t257 - t268;
@@ -347,11 +368,13 @@ BODY(three_ups_upu_s_momentum_rates)(size_t stride, const double *restrict q, co
       t2 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t3 = t1 + t2, t4 = limb5_S_q_qy * limb5_S_q_qy,
       limb5_S_q_qz = READ(q, 15), t5 = limb5_S_q_qz * limb5_S_q_qz, t6 = t4 + t5, t7 = t3 + t6, t9 = 4.0 - 2.0 * t7,
       platform_turn_xx = 1.0 - t6 * t9, t36 = t2 + t4, platform_turn_yy = 1.0 - t9 * (t2 + t5),
-      platform_turn_zz = 1.0 - t9 * t36, t13 = limb5_S_q_qy * t9, t14 = limb5_S_q_qx * t13, t29 = limb5_S_q_qw * t13,
+      platform_turn_zz = 1.0 - t9 * t36, t13 = limb5_S_q_qy * t9, t14 = limb5_S_q_qx * t13, t29 = limb5_S_q_qw *
+          t13,
       t15 = limb5_S_q_qz * t9, t21 = limb5_S_q_qw * (limb5_S_q_qx * t9), t16 = limb5_S_q_qw * t15,
       platform_turn_xy = t14 - t16, platform_turn_yx = t14 + t16, limb5_S_v_wy = READ(v, 13),
       limb5_S_v_wx = READ(v, 12), t27 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy,
-      t28 = limb5_S_q_qx * t15, t19 = limb5_S_q_qy * t15, platform_turn_xz = t28 + t29, platform_turn_zx = t28 - t29,
+      t28 = limb5_S_q_qx * t15, t19 = limb5_S_q_qy * t15, platform_turn_xz = t28 + t29, platform_turn_zx = t28 -
+          t29,
       limb5_S_v_wz = READ(v, 14), platform_twist_wx = t27 + limb5_S_v_wz * platform_turn_xz,
       platform_turn_yz = t19 - t21, platform_turn_zy = t19 + t21, t23 = param_H * platform_turn_yz,
       t31 = t23 * platform_twist_wx, t18 = limb5_S_v_wy * platform_turn_yy + limb5_S_v_wx * platform_turn_yx,
@@ -396,7 +419,8 @@ BODY(three_ups_upu_s_momentum_rates)(size_t stride, const double *restrict q, co
       t172 = platform_twist_wx * platform_momentum_Lz, t110 = t108 - t32 * platform_momentum_pz,
       t165 = t23 * platform_momentum_pz - t164, t111 = platform_Ixx * platform_turn_yx,
       t112 = platform_turn_xx * t111, t113 = platform_Ixx * platform_turn_yy, t115 = t112 + platform_turn_xy * t113,
-      t116 = platform_Izz * platform_turn_yz, t118 = t115 + platform_turn_xz * t116, t119 = platform_twist_wx * t118;
+      t116 = platform_Izz * platform_turn_yz, t118 = t115 + platform_turn_xz * t116, t119 = platform_twist_wx *
+          t118;
     /* platform: momentum rate, eq. (35); momentum, eq. (31) */
     const REAL t177 = platform_twist_rate_wx * t118, t129 = platform_turn_zx * t111 + platform_turn_zy * t113,
       t124 = platform_turn_yx * t111 + platform_turn_yy * t113 + platform_turn_yz * t116,
@@ -410,23 +434,28 @@ BODY(three_ups_upu_s_momentum_rates)(size_t stride, const double *restrict q, co
       t157 = platform_turn_zx * t139 + t156, t144 = platform_Izz * platform_turn_xz,
       t146 = t143 + platform_turn_xz * t144, t147 = platform_twist_rate_wx * t146, t166 = platform_twist_wx * t146,
       t152 = t150 + platform_turn_yz * t144, t159 = t157 + platform_turn_zz * t144,
-      platform_rate_at_O_mx = t135 + (t138 + (t147 + platform_twist_rate_wy * t152 + platform_twist_rate_wz * t159));
+      platform_rate_at_O_mx = t135 + (t138 + (t147 + platform_twist_rate_wy * t152 + platform_twist_rate_wz *
+          t159));
     WRITE(momentum_rates, 3, platform_rate_at_O_mx);
     REAL checked3 = platform_rate_at_O_mx;
     const REAL platform_momentum_Lx = t165 + (t166 + platform_twist_wy * t152 + platform_twist_wz * t159);
     RESULT(checked0, momentum_rates, 4, platform_twist_wz * platform_momentum_Lx - t172 + t182);
     RESULT(checked1, momentum_rates, 5, t183 - platform_twist_wy * platform_momentum_Lx + t194);
     const REAL limb1_U_0_cos = SINES(cosine, 0), limb1_U_0_sin = SINES(sine, 0);
-    FIRST_LIMB(0, momentum_rates, 0, stride, q, v, a, momentum_rates, sine, cosine, param_R * limb1_U_0_cos, param_R * limb1_U_0_sin, &limbs);
+    FIRST_LIMB(0, momentum_rates, 0, stride, q, v, a, momentum_rates, sine, cosine, param_R * limb1_U_0_cos, param_R
+        * limb1_U_0_sin, &limbs);
     checked2 = checked2 + ALONE(limbs.checked[0]);
     const REAL limb2_U_0_sin = SINES(cosine, 2), minus_limb2_U_0_cos = SINES(sine, 2);
-    NEXT_LIMB(1, momentum_rates, 0, stride, q, v, a, momentum_rates, sine, cosine, param_R * limb2_U_0_sin, param_R * minus_limb2_U_0_cos, &limbs);
+    NEXT_LIMB(1, momentum_rates, 0, stride, q, v, a, momentum_rates, sine, cosine, param_R * limb2_U_0_sin, param_R
+        * minus_limb2_U_0_cos, &limbs);
     checked3 = checked3 + ALONE(limbs.checked[1]);
     const REAL limb3_U_0_cos = SINES(cosine, 4), limb3_U_0_sin = SINES(sine, 4);
-    NEXT_LIMB(2, momentum_rates, 0, stride, q, v, a, momentum_rates, sine, cosine, param_R * limb3_U_0_cos, param_R * limb3_U_0_sin, &limbs);
+    NEXT_LIMB(2, momentum_rates, 0, stride, q, v, a, momentum_rates, sine, cosine, param_R * limb3_U_0_cos, param_R
+        * limb3_U_0_sin, &limbs);
     checked0 = checked0 + ALONE(limbs.checked[2]);
     const REAL limb4_U_0_sin = SINES(cosine, 6), minus_limb4_U_0_cos = SINES(sine, 6);
-    NEXT_LIMB(3, momentum_rates, 0, stride, q, v, a, momentum_rates, sine, cosine, param_R * limb4_U_0_sin, param_R * minus_limb4_U_0_cos, &limbs);
+    NEXT_LIMB(3, momentum_rates, 0, stride, q, v, a, momentum_rates, sine, cosine, param_R * limb4_U_0_sin, param_R
+        * minus_limb4_U_0_cos, &limbs);
     checked1 = checked1 + ALONE(limbs.checked[3]);
     /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
@@ -449,7 +478,8 @@ STAGE(energy, 0)(size_t limb, size_t stride, const double *restrict q, const dou
     /* each limb: energy; velocities, eq. (6) */
     const LIMB4 t26 = limb_lower_m * (upper_offset_x * OWN(signed_lower_rotation_zx));
     OWN(t3) = (-gravity_z) * (t26 - limb_lower_mx * OWN(signed_lower_rotation_zx));
-    const LIMB4 U_v_1 = IN_EACH4(READ, v, 1, 3), upper_vel_y = U_v_1 * upper_offset_x, P_v = IN_EACH4(READ, v, 2, 3),
+    const LIMB4 U_v_1 = IN_EACH4(READ, v, 1, 3), upper_vel_y = U_v_1 * upper_offset_x, P_v = IN_EACH4(READ, v, 2,
+        3),
       t19 = upper_vel_y * (limb_lower_m * upper_vel_y - k7 * U_v_1), U_v_0 = IN_EACH4(READ, v, 0, 3),
       t20 = P_v * (limb_lower_m * P_v) + t19, lower_omega_y = U_v_0 * lower_cos,
       minus_upper_vel_z = upper_offset_x * lower_omega_y;
@@ -479,18 +509,23 @@ BODY(three_ups_upu_s_energy)(size_t stride, const double *restrict q, const doub
     NEXT_LIMB(2, energy, 0, stride, q, v, sine, cosine, &limbs);
     const REAL t28 = limbs.signed_lower_rotation_zx[2] + t27;
     NEXT_LIMB(3, energy, 0, stride, q, v, sine, cosine, &limbs);
-    const REAL t33 = limbs.t3[1] - (limbs.t3[0] - (t26 - gravity_z_limb_lower_mx * (limbs.signed_lower_rotation_zx[3] - t28))),
+    const REAL t33 = limbs.t3[1] - (limbs.t3[0] - (t26 - gravity_z_limb_lower_mx *
+        (limbs.signed_lower_rotation_zx[3] - t28))),
       potential_energy = limbs.t3[3] - (limbs.t3[2] - t33);
     WRITE(energy, 1, potential_energy);
     REAL checked0 = potential_energy;
-    const REAL limb2_lower_energy_kinetic_up_to = limbs.U_0_energy_kinetic_up_to[0] + limbs.t1[0] + limbs.U_0_energy_kinetic_up_to[1] + limbs.t1[1],
-      limb4_U_0_energy_kinetic_up_to = limb2_lower_energy_kinetic_up_to + limbs.U_0_energy_kinetic_up_to[2] + limbs.t1[2] + limbs.U_0_energy_kinetic_up_to[3],
+    const REAL limb2_lower_energy_kinetic_up_to = limbs.U_0_energy_kinetic_up_to[0] + limbs.t1[0] +
+        limbs.U_0_energy_kinetic_up_to[1] + limbs.t1[1],
+      limb4_U_0_energy_kinetic_up_to = limb2_lower_energy_kinetic_up_to + limbs.U_0_energy_kinetic_up_to[2] +
+          limbs.t1[2] + limbs.U_0_energy_kinetic_up_to[3],
       limb5_S_v_wx = READ(v, 12), limb5_S_v_wy = READ(v, 13), limb5_S_v_wz = READ(v, 14),
       limb4_lower_energy_kinetic_up_to = limb4_U_0_energy_kinetic_up_to + limbs.t1[3],
       t5 = k6 * (limb5_S_v_wz * limb5_S_v_wz + (limb5_S_v_wx * limb5_S_v_wx + limb5_S_v_wy * limb5_S_v_wy)),
       t10 = limb5_S_v_wx * (platform_sxx * limb5_S_v_wx) + limb5_S_v_wy * (platform_sxx * limb5_S_v_wy),
-      platform_energy_kinetic_up_to = limb4_lower_energy_kinetic_up_to + (t5 - (t10 + limb5_S_v_wz * (platform_szz * limb5_S_v_wz))),
-      kinetic_energy = 0.5 * (platform_energy_kinetic_up_to + limbs.t2[0] + limbs.t2[1] + limbs.t2[2] + limbs.t2[3]);
+      platform_energy_kinetic_up_to = limb4_lower_energy_kinetic_up_to + (t5 - (t10 + limb5_S_v_wz * (platform_szz *
+          limb5_S_v_wz))),
+      kinetic_energy = 0.5 * (platform_energy_kinetic_up_to + limbs.t2[0] + limbs.t2[1] + limbs.t2[2] +
+          limbs.t2[3]);
     WRITE(energy, 0, kinetic_energy);
     REAL checked1 = kinetic_energy;
     /* else status 5: no rotation */
@@ -563,7 +598,8 @@ STAGE(bias, 0)(size_t limb, size_t stride, const double *restrict q, const doubl
       lower_U_still_xy = signed_lower_omega_x * signed_lower_omega_y, P_v = IN_EACH4(READ, v, 2, 3),
       signed_upper_acc_still_z = P_v * (2.0 * signed_lower_omega_y) + t5,
       signed_upper_rate_my = limb_lower_mx * signed_upper_acc_still_z,
-      t7 = signed_upper_rate_my - upper_offset_x * (k7 * signed_lower_alpha_still_y + limb_lower_m * signed_upper_acc_still_z),
+      t7 = signed_upper_rate_my - upper_offset_x * (k7 * signed_lower_alpha_still_y + limb_lower_m *
+          signed_upper_acc_still_z),
       t9 = t19 * (t7 + (each_gravity_z_limb_lower_mx * signed_U_0_sin + k11 * signed_lower_alpha_still_y)),
       U_0_moment_z = signed_lower_sin * (k10 * (U_v_1 * signed_lower_omega_y)) - t9;
     WRITE4(bias, 0, 3, 6, 9, U_0_moment_z);
@@ -573,7 +609,8 @@ STAGE(bias, 0)(size_t limb, size_t stride, const double *restrict q, const doubl
       lower_acc_y = signed_lower_sin * signed_U_0_acc_y, minus_upper_moment_z = limb_lower_mx * lower_acc_y,
       upper_acc_still_y = P_v * (2.0 * U_v_1) + (t13 + lower_acc_y),
       minus_upper_rate_mz = limb_lower_mx * upper_acc_still_y,
-      t16 = upper_offset_x * (limb_lower_m * upper_acc_still_y - limb_lower_mx * lower_U_still_xy) - minus_upper_rate_mz,
+      t16 = upper_offset_x * (limb_lower_m * upper_acc_still_y - limb_lower_mx * lower_U_still_xy) -
+          minus_upper_rate_mz,
       lower_moment_z = k8 * lower_U_still_xy + minus_upper_moment_z + t16;
     WRITE4(bias, 1, 4, 7, 10, lower_moment_z);
     checked = checked + lower_moment_z;

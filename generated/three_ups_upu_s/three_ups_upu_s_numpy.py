@@ -25,6 +25,86 @@ from __future__ import annotations
 
 import numpy as np
 
+# Names of values: part, quantity, component: limb1_lower_omega_x. Components of screws: fx ... mz of wrenches, wx
+# ... vz of twists, px ... Lz of momenta. Quantities: omega, alpha; U = [alpha]x + [omega]x^2; vel, acc of a link's
+# origin; rate, of the momentum screw; force_x ... moment_z, what a link and all that hangs on it need; sent, what
+# it transmits; still: at joint accelerations zero; by: what a coefficient belongs to; minus_: the opposite; t1, t2
+# ...: the theory has no name for it.
+# Constants: numbers of the description, and what was folded of them.
+gravity_z = 9.81  # [m/s^2] acceleration of the effect of gravity: 981/100
+gravity_z_limb_lower_mx = 2.08953  # [N m] gravity_z * limb_lower_mx
+gravity_z_platform_mz = 14.62961126155784  # [N m] gravity_z * platform_mz
+limb_U_0_phase = 1.5707963267948966  # [rad] what is added to the coordinate of limb2_U.0, limb4_U.0: atan2(1, 0)
+limb_lower_Ixx = 0.8839  # [kg m^2] inertia, absolute axes, of limb1_lower, limb1_upper, limb3_lower, limb3_upper,
+#      also Iyy of limb2_lower: 8839/10000
+limb_lower_Ixz = 0.478219227969767  # [kg m^2] inertia, absolute axes, of limb1_lower, limb1_upper, limb3_lower,
+#      limb3_upper, also Izx of limb1_lower: 2761*sqrt(3)/10000
+limb_lower_Iyy = 1.14  # [kg m^2] inertia, absolute axes, of limb1_lower, limb1_upper, limb3_lower, limb3_upper,
+#      also Ixx of limb2_lower: 57/50
+limb_lower_Izz = 0.3317  # [kg m^2] inertia, absolute axes, of limb1_lower, limb1_upper, limb2_lower, limb2_upper
+#      ...: 3317/10000
+limb_lower_com_x = 0.725  # [m] centre of mass, absolute axes, of limb1_lower, limb3_lower, also com_y of
+#      limb2_lower: 29/40
+limb_lower_com_z = 0.12990381056766578  # [m] centre of mass, absolute axes, of limb1_lower, limb2_lower,
+#      limb3_lower, limb4_lower: 3*sqrt(3)/40
+limb_lower_m = 1.42  # [kg] mass of limb1_lower, limb2_lower, limb3_lower, limb4_lower ...: 71/50
+limb_lower_m_gravity_z = 13.9302  # [N] limb_lower_m * gravity_z
+limb_lower_mx = 0.213  # [kg m] first moment, link axes, of limb1_lower, limb2_lower, limb3_lower, limb4_lower ...:
+#      limb_lower_m * (param_R - limb_P_at_x)
+limb_lower_phase = 0.5235987755982989  # [rad] what is added to the coordinate of limb1_lower, limb3_lower:
+#      atan2(0.5, sqrt(3)/2)
+limb_lower_phase_2 = 2.6179938779914944  # [rad] what is added to the coordinate of limb2_lower, limb4_lower:
+#      atan2(0.5, -(sqrt(3)/2))
+limb_upper_com_x = 0.575  # [m] centre of mass, absolute axes, of limb1_upper, limb3_upper, also com_y of
+#      limb2_upper: 23/40
+limb_upper_com_z = 0.3897114317029974  # [m] centre of mass, absolute axes, of limb1_upper, limb2_upper,
+#      limb3_upper, limb4_upper: 9*sqrt(3)/40
+limb_upper_phase = 0.3  # [m] what is added to the coordinate of limb1_upper, limb2_upper, limb3_upper, limb4_upper:
+#      3/10
+param_H = 0.5196152422706631  # [m] height of the platform's centre E above O, also com_z of platform: 3*sqrt(3)/10
+param_R = 0.8  # [m] radius of the base points A1..A4, also at_x of limb1_U: 4/5
+per_length = 1.5098282268426322  # [1/m] 1 over the characteristic length
+per_length_param_R = 1.2078625814741057  # [1] per_length * param_R
+platform_Ixx = 68.7  # [kg m^2] inertia, absolute axes, of platform, also Iyy of platform: 687/10
+platform_Izz = 92.1  # [kg m^2] inertia, absolute axes, of platform: 921/10
+platform_m = 2.87  # [kg] mass of platform: 287/100
+platform_m_gravity_z = 28.1547  # [N] platform_m * gravity_z
+platform_mz = 1.4912957453168034  # [kg m] first moment, link axes, of platform: platform_m * param_H
+platform_sxx = 46.05  # [kg m^2] second moment (sum of m r r), link axes, of platform, also syy of platform: (137.4
+#      + platform_Izz) * 0.5 - platform_Ixx
+platform_szz = 23.4249  # [kg m^2] second moment (sum of m r r), link axes, of platform: 229.5 * 0.5 - platform_Izz
+#      + platform_mz * param_H
+k1 = 0.8660254037844386  # sqrt(3)/2
+k2 = 1.5  # [1] 0.5 * 3; also [m] value_param_r * 3
+k3 = 0.1112  # [kg m^2] 2 * limb_lower_szz + 2 * limb_lower_syy
+k4 = 2.3083  # [kg m^2] 2 * limb_lower_sxx
+k5 = 0.0356  # [kg m^2] 2 * limb_lower_syy
+k6 = 115.5249  # [kg m^2] platform_Izz + platform_szz
+k7 = 0.426  # [kg m] 2 * limb_lower_mx
+k8 = 2.2727  # [kg m^2] 2 * limb_lower_sxx - 2 * limb_lower_syy
+k9 = 2.3439  # [kg m^2] 2 * limb_lower_sxx + 2 * limb_lower_syy
+k10 = 0.0712  # [kg m^2] 2 * 2 * limb_lower_syy
+k11 = 4.6166  # [kg m^2] 2 * limb_lower_sxx - 2 * limb_lower_syy + 2 * limb_lower_sxx + 2 * limb_lower_syy
+k12 = 22.6251  # [kg m^2] platform_sxx - platform_szz
+k13 = 69.4749  # [kg m^2] platform_sxx + platform_szz
+k14 = 0.0556  # (0.44195 - 0.41415) * 0.5 + (0.2872606264352983 - 0.2391096139848835) * (sqrt(3)/2)
+k15 = 0.02  # [kg m^2] limb_lower_szz - limb_lower_syy
+k16 = 1.19195  # [kg m^2] limb_lower_szz + limb_lower_sxx
+k17 = 1.11635  # [kg m^2] limb_lower_sxx - limb_lower_szz
+k18 = 1.17195  # [kg m^2] limb_lower_sxx + limb_lower_syy
+k19 = 1.13635  # [kg m^2] limb_lower_sxx - limb_lower_syy
+k20 = 1.136  # [kg m] limb_lower_m * param_R
+# They are made of these, too, which no statement reads:
+# limb_P_at_x = 0.65 [m] point, absolute axes, of limb1_P, limb3_P, also at_y of limb2_P: 13/20
+# limb_lower_sxx = 1.15415 [kg m^2] second moment (sum of m r r), link axes, of limb1_lower, limb2_lower,
+#     limb3_lower, limb4_lower ...: 2.3556 * 0.5 - (0.0139 + 0.0417) + limb_lower_mx * (param_R - limb_P_at_x)
+# limb_lower_syy = 0.0178 [kg m^2] second moment (sum of m r r), link axes, of limb1_lower, limb2_lower,
+#     limb3_lower, limb4_lower ...: (1.2156 + limb_lower_Iyy) * 0.5 - (1.0045894683899488 * (sqrt(3)/2) + 0.58 *
+#     0.5)
+# limb_lower_szz = 0.0378 [kg m^2] second moment (sum of m r r), link axes, of limb1_lower, limb2_lower,
+#     limb3_lower, limb4_lower ...: (1.2156 + limb_lower_Iyy) * 0.5 - limb_lower_Iyy
+# value_param_r = 0.5 [m] radius of the platform points C1..C4, also at_x of limb1_U2: 1/2
+
 
 def _real(argument):
     """An argument as an array of doubles; of complex numbers NumPy would take the real part."""
@@ -261,146 +341,150 @@ def body_poses(*arguments):
         platform_turn_yz = t19 - t21
         platform_turn_zz = 1.0 - t9 * (t5 + t1)
         # limb1: geometry; results
-        t24 = 0.5235987755982989 + limb1_U_q_1
+        t24 = limb_lower_phase + limb1_U_q_1
         limb1_lower_sin = np.sin(t24)
         t25 = 0.5 * limb1_lower_sin
         limb1_lower_cos = np.cos(t24)
-        limb1_lower_poses_Rxx = t25 + 0.8660254037844386 * limb1_lower_cos
+        limb1_lower_poses_Rxx = t25 + k1 * limb1_lower_cos
         limb1_U_0_sin = np.sin(limb1_U_q_0)
         minus_limb1_lower_rotation_yx = limb1_U_0_sin * limb1_lower_cos
         # limb1: results; geometry
         t27 = 0.5 * minus_limb1_lower_rotation_yx
         limb1_lower_rotation_yy = limb1_U_0_sin * limb1_lower_sin
-        t29 = t27 - 0.8660254037844386 * limb1_lower_rotation_yy
+        t29 = t27 - k1 * limb1_lower_rotation_yy
         limb1_lower_poses_Ryx = -t29
         limb1_U_0_cos = np.cos(limb1_U_q_0)
         limb1_lower_rotation_zx = limb1_U_0_cos * limb1_lower_cos
         t30 = 0.5 * limb1_lower_rotation_zx
         minus_limb1_lower_rotation_zy = limb1_U_0_cos * limb1_lower_sin
-        limb1_lower_poses_Rzx = t30 - 0.8660254037844386 * minus_limb1_lower_rotation_zy
-        limb1_lower_poses_Rxz = 0.8660254037844386 * limb1_lower_sin - 0.5 * limb1_lower_cos
-        t36 = 0.8660254037844386 * minus_limb1_lower_rotation_yx + 0.5 * limb1_lower_rotation_yy
+        limb1_lower_poses_Rzx = t30 - k1 * minus_limb1_lower_rotation_zy
+        limb1_lower_poses_Rxz = k1 * limb1_lower_sin - 0.5 * limb1_lower_cos
+        t36 = k1 * minus_limb1_lower_rotation_yx + 0.5 * limb1_lower_rotation_yy
         limb1_lower_poses_Ryz = -t36
-        limb1_lower_poses_Rzz = 0.8660254037844386 * limb1_lower_rotation_zx + 0.5 * minus_limb1_lower_rotation_zy
-        limb1_lower_poses_x = 0.8 * limb1_lower_poses_Rxx - 0.8
-        t40 = 0.8 * t29
+        limb1_lower_poses_Rzz = k1 * limb1_lower_rotation_zx + 0.5 * minus_limb1_lower_rotation_zy
+        limb1_lower_poses_x = param_R * limb1_lower_poses_Rxx - param_R
+        t40 = param_R * t29
         limb1_lower_poses_y = -t40
-        limb1_lower_poses_z = 0.8 * limb1_lower_poses_Rzx
-        t43 = 0.5 * limb1_lower_poses_Rxx - 0.5196152422706631 * limb1_lower_poses_Rxz
-        limb1_upper_offset_x = 0.3 + limb1_P_q
-        limb1_upper_poses_x = t43 - (0.8 - limb1_lower_sin * limb1_upper_offset_x)
-        t47 = limb1_upper_offset_x * minus_limb1_lower_rotation_yx + (0.5 * t29 - 0.5196152422706631 * t36)
+        limb1_lower_poses_z = param_R * limb1_lower_poses_Rzx
+        t43 = 0.5 * limb1_lower_poses_Rxx - param_H * limb1_lower_poses_Rxz
+        limb1_upper_offset_x = limb_upper_phase + limb1_P_q
+        limb1_upper_poses_x = t43 - (param_R - limb1_lower_sin * limb1_upper_offset_x)
+        t47 = limb1_upper_offset_x * minus_limb1_lower_rotation_yx + (0.5 * t29 - param_H * t36)
         limb1_upper_poses_y = -t47
         limb1_upper_position_z = limb1_upper_offset_x * limb1_lower_rotation_zx
-        limb1_upper_poses_z = limb1_upper_position_z + (0.5 * limb1_lower_poses_Rzx - 0.5196152422706631 * limb1_lower_poses_Rzz)
+        limb1_upper_poses_z = (
+            limb1_upper_position_z + (0.5 * limb1_lower_poses_Rzx - param_H * limb1_lower_poses_Rzz)
+        )
         # limb2: geometry
         limb2_U_0_sin = np.cos(limb2_U_q_0)
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
         limb2_U_0_cos = -minus_limb2_U_0_cos
-        t51 = 2.6179938779914944 + limb2_U_q_1
+        t51 = limb_lower_phase_2 + limb2_U_q_1
         limb2_lower_cos = np.cos(t51)
         minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos
         # limb2: results; geometry
         t52 = 0.5 * minus_limb2_lower_rotation_xx
         limb2_lower_sin = np.sin(t51)
         limb2_lower_rotation_xy = minus_limb2_U_0_cos * limb2_lower_sin
-        t54 = t52 + 0.8660254037844386 * limb2_lower_rotation_xy
+        t54 = t52 + k1 * limb2_lower_rotation_xy
         limb2_lower_poses_Rxy = -t54
-        limb2_lower_poses_Ryy = 0.5 * limb2_lower_sin - 0.8660254037844386 * limb2_lower_cos
+        limb2_lower_poses_Ryy = 0.5 * limb2_lower_sin - k1 * limb2_lower_cos
         minus_limb2_lower_rotation_zx = limb2_U_0_sin * limb2_lower_cos
         t57 = 0.5 * minus_limb2_lower_rotation_zx
         limb2_lower_rotation_zy = limb2_U_0_sin * limb2_lower_sin
-        t59 = t57 + 0.8660254037844386 * limb2_lower_rotation_zy
+        t59 = t57 + k1 * limb2_lower_rotation_zy
         limb2_lower_poses_Rzy = -t59
-        t62 = 0.8660254037844386 * minus_limb2_lower_rotation_xx - 0.5 * limb2_lower_rotation_xy
+        t62 = k1 * minus_limb2_lower_rotation_xx - 0.5 * limb2_lower_rotation_xy
         limb2_lower_poses_Rxz = -t62
-        limb2_lower_poses_Ryz = 0.8660254037844386 * limb2_lower_sin + 0.5 * limb2_lower_cos
-        t67 = 0.8660254037844386 * minus_limb2_lower_rotation_zx - 0.5 * limb2_lower_rotation_zy
+        limb2_lower_poses_Ryz = k1 * limb2_lower_sin + 0.5 * limb2_lower_cos
+        t67 = k1 * minus_limb2_lower_rotation_zx - 0.5 * limb2_lower_rotation_zy
         limb2_lower_poses_Rzz = -t67
-        t68 = 0.8 * t54
+        t68 = param_R * t54
         limb2_lower_poses_x = -t68
-        limb2_lower_poses_y = 0.8 * limb2_lower_poses_Ryy - 0.8
-        t70 = 0.8 * t59
+        limb2_lower_poses_y = param_R * limb2_lower_poses_Ryy - param_R
+        t70 = param_R * t59
         limb2_lower_poses_z = -t70
-        limb2_upper_offset_x = 0.3 + limb2_P_q
-        t74 = limb2_upper_offset_x * minus_limb2_lower_rotation_xx + (0.5 * t54 - 0.5196152422706631 * t62)
+        limb2_upper_offset_x = limb_upper_phase + limb2_P_q
+        t74 = limb2_upper_offset_x * minus_limb2_lower_rotation_xx + (0.5 * t54 - param_H * t62)
         limb2_upper_poses_x = -t74
-        t77 = 0.5 * limb2_lower_poses_Ryy - 0.5196152422706631 * limb2_lower_poses_Ryz
-        limb2_upper_poses_y = t77 - (0.8 - limb2_lower_sin * limb2_upper_offset_x)
-        t81 = limb2_upper_offset_x * minus_limb2_lower_rotation_zx + (0.5 * t59 - 0.5196152422706631 * t67)
+        t77 = 0.5 * limb2_lower_poses_Ryy - param_H * limb2_lower_poses_Ryz
+        limb2_upper_poses_y = t77 - (param_R - limb2_lower_sin * limb2_upper_offset_x)
+        t81 = limb2_upper_offset_x * minus_limb2_lower_rotation_zx + (0.5 * t59 - param_H * t67)
         limb2_upper_poses_z = -t81
         # limb3: geometry; results
-        t82 = 0.5235987755982989 - limb3_U_q_1
+        t82 = limb_lower_phase - limb3_U_q_1
         minus_limb3_lower_sin = np.sin(t82)
         t83 = 0.5 * minus_limb3_lower_sin
         limb3_lower_cos = np.cos(t82)
-        limb3_lower_poses_Rxx = t83 + 0.8660254037844386 * limb3_lower_cos
+        limb3_lower_poses_Rxx = t83 + k1 * limb3_lower_cos
         limb3_U_0_sin = np.sin(limb3_U_q_0)
         minus_limb3_lower_rotation_yx = limb3_U_0_sin * limb3_lower_cos
         # limb3: results; geometry
         t85 = 0.5 * minus_limb3_lower_rotation_yx
         minus_limb3_lower_rotation_yy = limb3_U_0_sin * minus_limb3_lower_sin
-        limb3_lower_poses_Ryx = t85 - 0.8660254037844386 * minus_limb3_lower_rotation_yy
+        limb3_lower_poses_Ryx = t85 - k1 * minus_limb3_lower_rotation_yy
         limb3_U_0_cos = np.cos(limb3_U_q_0)
         limb3_lower_rotation_zx = limb3_U_0_cos * limb3_lower_cos
         t87 = 0.5 * limb3_lower_rotation_zx
         limb3_lower_rotation_zy = limb3_U_0_cos * minus_limb3_lower_sin
-        t89 = t87 - 0.8660254037844386 * limb3_lower_rotation_zy
+        t89 = t87 - k1 * limb3_lower_rotation_zy
         limb3_lower_poses_Rzx = -t89
-        t92 = 0.8660254037844386 * minus_limb3_lower_sin - 0.5 * limb3_lower_cos
+        t92 = k1 * minus_limb3_lower_sin - 0.5 * limb3_lower_cos
         limb3_lower_poses_Rxz = -t92
-        t95 = 0.8660254037844386 * minus_limb3_lower_rotation_yx + 0.5 * minus_limb3_lower_rotation_yy
+        t95 = k1 * minus_limb3_lower_rotation_yx + 0.5 * minus_limb3_lower_rotation_yy
         limb3_lower_poses_Ryz = -t95
-        limb3_lower_poses_Rzz = 0.8660254037844386 * limb3_lower_rotation_zx + 0.5 * limb3_lower_rotation_zy
-        limb3_lower_poses_x = 0.8 - 0.8 * limb3_lower_poses_Rxx
-        t99 = 0.8 * limb3_lower_poses_Ryx
+        limb3_lower_poses_Rzz = k1 * limb3_lower_rotation_zx + 0.5 * limb3_lower_rotation_zy
+        limb3_lower_poses_x = param_R - param_R * limb3_lower_poses_Rxx
+        t99 = param_R * limb3_lower_poses_Ryx
         limb3_lower_poses_y = -t99
-        limb3_lower_poses_z = 0.8 * t89
-        limb3_upper_offset_x = 0.3 + limb3_P_q
-        limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
-        limb3_upper_poses_x = limb3_upper_position_x - (0.5 * limb3_lower_poses_Rxx - 0.5196152422706631 * t92)
+        limb3_lower_poses_z = param_R * t89
+        limb3_upper_offset_x = limb_upper_phase + limb3_P_q
+        limb3_upper_position_x = param_R - minus_limb3_lower_sin * limb3_upper_offset_x
+        limb3_upper_poses_x = limb3_upper_position_x - (0.5 * limb3_lower_poses_Rxx - param_H * t92)
         minus_limb3_upper_position_y = limb3_upper_offset_x * minus_limb3_lower_rotation_yx
-        t106 = minus_limb3_upper_position_y + (0.5 * limb3_lower_poses_Ryx - 0.5196152422706631 * t95)
+        t106 = minus_limb3_upper_position_y + (0.5 * limb3_lower_poses_Ryx - param_H * t95)
         limb3_upper_poses_y = -t106
-        limb3_upper_position_z = limb3_upper_offset_x * limb3_lower_rotation_zx
-        limb3_upper_poses_z = limb3_upper_position_z + (0.5 * t89 - 0.5196152422706631 * limb3_lower_poses_Rzz)
+        limb3_upper_poses_z = (
+            limb3_upper_offset_x * limb3_lower_rotation_zx + (0.5 * t89 - param_H * limb3_lower_poses_Rzz)
+        )
         # limb4: geometry
         limb4_U_0_sin = np.cos(limb4_U_q_0)
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
         limb4_U_0_cos = -minus_limb4_U_0_cos
-        t110 = 2.6179938779914944 - limb4_U_q_1
+        t110 = limb_lower_phase_2 - limb4_U_q_1
         limb4_lower_cos = np.cos(t110)
         minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos
         # limb4: results; geometry
         t111 = 0.5 * minus_limb4_lower_rotation_xx
         minus_limb4_lower_sin = np.sin(t110)
         minus_limb4_lower_rotation_xy = minus_limb4_U_0_cos * minus_limb4_lower_sin
-        limb4_lower_poses_Rxy = t111 + 0.8660254037844386 * minus_limb4_lower_rotation_xy
-        limb4_lower_poses_Ryy = 0.5 * minus_limb4_lower_sin - 0.8660254037844386 * limb4_lower_cos
+        limb4_lower_poses_Rxy = t111 + k1 * minus_limb4_lower_rotation_xy
+        limb4_lower_poses_Ryy = 0.5 * minus_limb4_lower_sin - k1 * limb4_lower_cos
         minus_limb4_lower_rotation_zx = limb4_U_0_sin * limb4_lower_cos
         t115 = 0.5 * minus_limb4_lower_rotation_zx
         minus_limb4_lower_rotation_zy = limb4_U_0_sin * minus_limb4_lower_sin
-        limb4_lower_poses_Rzy = t115 + 0.8660254037844386 * minus_limb4_lower_rotation_zy
-        t119 = 0.8660254037844386 * minus_limb4_lower_rotation_xx - 0.5 * minus_limb4_lower_rotation_xy
+        limb4_lower_poses_Rzy = t115 + k1 * minus_limb4_lower_rotation_zy
+        t119 = k1 * minus_limb4_lower_rotation_xx - 0.5 * minus_limb4_lower_rotation_xy
         limb4_lower_poses_Rxz = -t119
-        t122 = 0.8660254037844386 * minus_limb4_lower_sin + 0.5 * limb4_lower_cos
+        t122 = k1 * minus_limb4_lower_sin + 0.5 * limb4_lower_cos
         limb4_lower_poses_Ryz = -t122
-        t125 = 0.8660254037844386 * minus_limb4_lower_rotation_zx - 0.5 * minus_limb4_lower_rotation_zy
+        t125 = k1 * minus_limb4_lower_rotation_zx - 0.5 * minus_limb4_lower_rotation_zy
         limb4_lower_poses_Rzz = -t125
-        t126 = 0.8 * limb4_lower_poses_Rxy
+        t126 = param_R * limb4_lower_poses_Rxy
         limb4_lower_poses_x = -t126
-        limb4_lower_poses_y = 0.8 - 0.8 * limb4_lower_poses_Ryy
-        t128 = 0.8 * limb4_lower_poses_Rzy
+        limb4_lower_poses_y = param_R - param_R * limb4_lower_poses_Ryy
+        t128 = param_R * limb4_lower_poses_Rzy
         limb4_lower_poses_z = -t128
-        limb4_upper_offset_x = 0.3 + limb4_P_q
+        limb4_upper_offset_x = limb_upper_phase + limb4_P_q
         minus_limb4_upper_position_x = limb4_upper_offset_x * minus_limb4_lower_rotation_xx
-        t132 = minus_limb4_upper_position_x + (0.5 * limb4_lower_poses_Rxy - 0.5196152422706631 * t119)
+        t132 = minus_limb4_upper_position_x + (0.5 * limb4_lower_poses_Rxy - param_H * t119)
         limb4_upper_poses_x = -t132
-        limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
-        limb4_upper_poses_y = limb4_upper_position_y - (0.5 * limb4_lower_poses_Ryy - 0.5196152422706631 * t122)
+        limb4_upper_position_y = param_R - minus_limb4_lower_sin * limb4_upper_offset_x
+        limb4_upper_poses_y = limb4_upper_position_y - (0.5 * limb4_lower_poses_Ryy - param_H * t122)
         minus_limb4_upper_position_z = limb4_upper_offset_x * minus_limb4_lower_rotation_zx
-        t139 = minus_limb4_upper_position_z + (0.5 * limb4_lower_poses_Rzy - 0.5196152422706631 * t125)
+        t139 = minus_limb4_upper_position_z + (0.5 * limb4_lower_poses_Rzy - param_H * t125)
         limb4_upper_poses_z = -t139
+        guards = ()
         return _finish(batch, ((platform_turn_xx, platform_turn_yx, platform_turn_zx,
             platform_turn_xy, platform_turn_yy, platform_turn_zy, platform_turn_xz,
             platform_turn_yz, platform_turn_zz, 0.0, 0.0, 0.0, limb1_lower_poses_Rxx,
@@ -427,11 +511,11 @@ def body_poses(*arguments):
             limb4_lower_poses_x, limb4_lower_poses_y, limb4_lower_poses_z, limb4_U_0_sin, 0.0,
             limb4_U_0_cos, limb4_lower_poses_Rxy, limb4_lower_poses_Ryy, limb4_lower_poses_Rzy,
             limb4_lower_poses_Rxz, limb4_lower_poses_Ryz, limb4_lower_poses_Rzz,
-            limb4_upper_poses_x, limb4_upper_poses_y, limb4_upper_poses_z),), (), (platform_turn_xx,
-            platform_turn_yx, platform_turn_zx, platform_turn_xy, platform_turn_yy,
-            platform_turn_zy, platform_turn_xz, platform_turn_yz, platform_turn_zz,
-            limb1_lower_poses_x, t40, limb1_lower_poses_z, limb1_upper_poses_x, t47,
-            limb1_upper_poses_z, t68, limb2_lower_poses_y, t70, t74, limb2_upper_poses_y, t81,
+            limb4_upper_poses_x, limb4_upper_poses_y, limb4_upper_poses_z),), guards,
+            (platform_turn_xx, platform_turn_yx, platform_turn_zx, platform_turn_xy,
+            platform_turn_yy, platform_turn_zy, platform_turn_xz, platform_turn_yz,
+            platform_turn_zz, limb1_lower_poses_x, t40, limb1_lower_poses_z, limb1_upper_poses_x,
+            t47, limb1_upper_poses_z, t68, limb2_lower_poses_y, t70, t74, limb2_upper_poses_y, t81,
             limb3_lower_poses_x, t99, limb3_lower_poses_z, limb3_upper_poses_x, t106,
             limb3_upper_poses_z, t126, limb4_lower_poses_y, t128, t132, limb4_upper_poses_y, t139),
             ((t7, 0.999999, 1.000001, 5),))
@@ -516,10 +600,10 @@ def body_twists(*arguments):
         limb1_lower_twist_wy = limb1_U_v_1 * limb1_U_0_cos
         limb1_U_0_sin = np.sin(limb1_U_q_0)
         limb1_lower_twist_wz = limb1_U_v_1 * limb1_U_0_sin
-        limb1_lower_twist_vy = limb1_U_v_1 * (0.8 * limb1_U_0_sin)
-        minus_limb1_lower_twist_vz = limb1_U_v_1 * (0.8 * limb1_U_0_cos)
+        limb1_lower_twist_vy = limb1_U_v_1 * (param_R * limb1_U_0_sin)
+        minus_limb1_lower_twist_vz = limb1_U_v_1 * (param_R * limb1_U_0_cos)
         limb1_lower_twist_vz = -minus_limb1_lower_twist_vz
-        t36 = 0.5235987755982989 + limb1_U_q_1
+        t36 = limb_lower_phase + limb1_U_q_1
         limb1_upper_twist_vx = limb1_P_v * np.sin(t36)
         limb1_lower_cos = np.cos(t36)
         limb1_upper_twist_vy = limb1_lower_twist_vy - limb1_P_v * (limb1_U_0_sin * limb1_lower_cos)
@@ -531,9 +615,9 @@ def body_twists(*arguments):
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
         minus_limb2_lower_twist_wz = limb2_U_v_1 * minus_limb2_U_0_cos
         limb2_lower_twist_wz = -minus_limb2_lower_twist_wz
-        limb2_lower_twist_vx = limb2_U_v_1 * (0.8 * minus_limb2_U_0_cos)
-        limb2_lower_twist_vz = limb2_U_v_1 * (0.8 * limb2_U_0_sin)
-        t39 = 2.6179938779914944 + limb2_U_q_1
+        limb2_lower_twist_vx = limb2_U_v_1 * (param_R * minus_limb2_U_0_cos)
+        limb2_lower_twist_vz = limb2_U_v_1 * (param_R * limb2_U_0_sin)
+        t39 = limb_lower_phase_2 + limb2_U_q_1
         limb2_lower_cos = np.cos(t39)
         limb2_upper_twist_vx = limb2_lower_twist_vx - limb2_P_v * (minus_limb2_U_0_cos * limb2_lower_cos)
         limb2_upper_twist_vy = limb2_P_v * np.sin(t39)
@@ -544,10 +628,10 @@ def body_twists(*arguments):
         limb3_lower_twist_wy = limb3_U_v_1 * limb3_U_0_cos
         limb3_U_0_sin = np.sin(limb3_U_q_0)
         limb3_lower_twist_wz = limb3_U_v_1 * limb3_U_0_sin
-        minus_limb3_lower_twist_vy = limb3_U_v_1 * (0.8 * limb3_U_0_sin)
+        minus_limb3_lower_twist_vy = limb3_U_v_1 * (param_R * limb3_U_0_sin)
         limb3_lower_twist_vy = -minus_limb3_lower_twist_vy
-        limb3_lower_twist_vz = limb3_U_v_1 * (0.8 * limb3_U_0_cos)
-        t42 = 0.5235987755982989 - limb3_U_q_1
+        limb3_lower_twist_vz = limb3_U_v_1 * (param_R * limb3_U_0_cos)
+        t42 = limb_lower_phase - limb3_U_q_1
         minus_limb3_upper_twist_vx = limb3_P_v * np.sin(t42)
         limb3_upper_twist_vx = -minus_limb3_upper_twist_vx
         limb3_lower_cos = np.cos(t42)
@@ -561,18 +645,21 @@ def body_twists(*arguments):
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
         minus_limb4_lower_twist_wz = limb4_U_v_1 * minus_limb4_U_0_cos
         limb4_lower_twist_wz = -minus_limb4_lower_twist_wz
-        minus_limb4_lower_twist_vx = limb4_U_v_1 * (0.8 * minus_limb4_U_0_cos)
+        minus_limb4_lower_twist_vx = limb4_U_v_1 * (param_R * minus_limb4_U_0_cos)
         limb4_lower_twist_vx = -minus_limb4_lower_twist_vx
-        minus_limb4_lower_twist_vz = limb4_U_v_1 * (0.8 * limb4_U_0_sin)
+        minus_limb4_lower_twist_vz = limb4_U_v_1 * (param_R * limb4_U_0_sin)
         limb4_lower_twist_vz = -minus_limb4_lower_twist_vz
-        t45 = 2.6179938779914944 - limb4_U_q_1
+        t45 = limb_lower_phase_2 - limb4_U_q_1
         limb4_lower_cos = np.cos(t45)
-        minus_limb4_upper_twist_vx = minus_limb4_lower_twist_vx + limb4_P_v * (minus_limb4_U_0_cos * limb4_lower_cos)
+        minus_limb4_upper_twist_vx = (
+            minus_limb4_lower_twist_vx + limb4_P_v * (minus_limb4_U_0_cos * limb4_lower_cos)
+        )
         limb4_upper_twist_vx = -minus_limb4_upper_twist_vx
         minus_limb4_upper_twist_vy = limb4_P_v * np.sin(t45)
         limb4_upper_twist_vy = -minus_limb4_upper_twist_vy
         minus_limb4_upper_twist_vz = minus_limb4_lower_twist_vz + limb4_P_v * (limb4_U_0_sin * limb4_lower_cos)
         limb4_upper_twist_vz = -minus_limb4_upper_twist_vz
+        guards = ()
         return _finish(batch, ((platform_twist_wx, platform_twist_wy, platform_twist_wz, 0.0, 0.0,
             0.0, limb1_U_v_0, limb1_lower_twist_wy, limb1_lower_twist_wz, 0.0, limb1_lower_twist_vy,
             limb1_lower_twist_vz, limb1_U_v_0, limb1_lower_twist_wy, limb1_lower_twist_wz,
@@ -585,15 +672,16 @@ def body_twists(*arguments):
             limb3_upper_twist_vz, limb4_lower_twist_wx, limb4_U_v_0, limb4_lower_twist_wz,
             limb4_lower_twist_vx, 0.0, limb4_lower_twist_vz, limb4_lower_twist_wx, limb4_U_v_0,
             limb4_lower_twist_wz, limb4_upper_twist_vx, limb4_upper_twist_vy,
-            limb4_upper_twist_vz),), (), (platform_twist_wx, platform_twist_wy, platform_twist_wz,
-            limb1_lower_twist_wy, limb1_lower_twist_wz, limb1_upper_twist_vx, limb1_upper_twist_vy,
-            limb1_upper_twist_vz, limb2_lower_twist_wx, minus_limb2_lower_twist_wz,
-            limb2_upper_twist_vx, limb2_upper_twist_vy, limb2_upper_twist_vz, limb3_lower_twist_wy,
-            limb3_lower_twist_wz, minus_limb3_upper_twist_vx, minus_limb3_upper_twist_vy,
-            limb3_upper_twist_vz, limb4_lower_twist_wx, minus_limb4_lower_twist_wz,
-            minus_limb4_upper_twist_vx, minus_limb4_upper_twist_vy, minus_limb4_upper_twist_vz,
-            limb1_P_q, limb2_P_q, limb3_P_q, limb4_P_q, limb1_U_v_0, limb2_U_v_0, limb3_U_v_0,
-            limb4_U_v_0), ((t7, 0.999999, 1.000001, 5),))
+            limb4_upper_twist_vz),), guards, (platform_twist_wx, platform_twist_wy,
+            platform_twist_wz, limb1_lower_twist_wy, limb1_lower_twist_wz, limb1_upper_twist_vx,
+            limb1_upper_twist_vy, limb1_upper_twist_vz, limb2_lower_twist_wx,
+            minus_limb2_lower_twist_wz, limb2_upper_twist_vx, limb2_upper_twist_vy,
+            limb2_upper_twist_vz, limb3_lower_twist_wy, limb3_lower_twist_wz,
+            minus_limb3_upper_twist_vx, minus_limb3_upper_twist_vy, limb3_upper_twist_vz,
+            limb4_lower_twist_wx, minus_limb4_lower_twist_wz, minus_limb4_upper_twist_vx,
+            minus_limb4_upper_twist_vy, minus_limb4_upper_twist_vz, limb1_P_q, limb2_P_q, limb3_P_q,
+            limb4_P_q, limb1_U_v_0, limb2_U_v_0, limb3_U_v_0, limb4_U_v_0), ((t7, 0.999999,
+            1.000001, 5),))
 
 
 def body_twist_rates(*arguments):
@@ -682,13 +770,15 @@ def body_twist_rates(*arguments):
         limb1_U_0_sin = np.sin(limb1_U_q_0)
         limb1_lower_twist_rate_wy = t36 - limb1_U_v_1 * (limb1_U_v_0 * limb1_U_0_sin)
         limb1_lower_twist_rate_wz = limb1_U_a_1 * limb1_U_0_sin + limb1_U_v_1 * (limb1_U_v_0 * limb1_U_0_cos)
-        limb1_U_1_screw_vy = 0.8 * limb1_U_0_sin
+        limb1_U_1_screw_vy = param_R * limb1_U_0_sin
         t42 = limb1_U_a_1 * limb1_U_1_screw_vy
-        minus_limb1_U_1_screw_vz = 0.8 * limb1_U_0_cos
+        minus_limb1_U_1_screw_vz = param_R * limb1_U_0_cos
         limb1_lower_twist_rate_vy = t42 + limb1_U_v_1 * (limb1_U_v_0 * minus_limb1_U_1_screw_vz)
-        minus_limb1_lower_twist_rate_vz = limb1_U_a_1 * minus_limb1_U_1_screw_vz - limb1_U_v_1 * (limb1_U_v_0 * limb1_U_1_screw_vy)
+        minus_limb1_lower_twist_rate_vz = (
+            limb1_U_a_1 * minus_limb1_U_1_screw_vz - limb1_U_v_1 * (limb1_U_v_0 * limb1_U_1_screw_vy)
+        )
         limb1_lower_twist_rate_vz = -minus_limb1_lower_twist_rate_vz
-        t48 = 0.5235987755982989 + limb1_U_q_1
+        t48 = limb_lower_phase + limb1_U_q_1
         limb1_lower_sin = np.sin(t48)
         t49 = limb1_P_a * limb1_lower_sin
         limb1_lower_cos = np.cos(t48)
@@ -700,7 +790,9 @@ def body_twist_rates(*arguments):
         limb1_lower_twist_wz = limb1_U_v_1 * limb1_U_0_sin
         limb1_upper_twist_rate_vx = t49 + limb1_P_v * (t50 + minus_limb1_lower_rotation_yx * limb1_lower_twist_wz)
         t55 = limb1_lower_twist_rate_vy - limb1_P_a * minus_limb1_lower_rotation_yx
-        limb1_upper_twist_rate_vy = t55 + limb1_P_v * (limb1_lower_sin * limb1_lower_twist_wz - limb1_U_v_0 * limb1_lower_rotation_zx)
+        limb1_upper_twist_rate_vy = (
+            t55 + limb1_P_v * (limb1_lower_sin * limb1_lower_twist_wz - limb1_U_v_0 * limb1_lower_rotation_zx)
+        )
         t61 = minus_limb1_lower_twist_rate_vz - limb1_P_a * limb1_lower_rotation_zx
         t65 = limb1_P_v * (limb1_U_v_0 * minus_limb1_lower_rotation_yx + limb1_lower_sin * limb1_lower_twist_wy)
         minus_limb1_upper_twist_rate_vz = t61 + t65
@@ -710,14 +802,18 @@ def body_twist_rates(*arguments):
         t66 = limb2_U_a_1 * limb2_U_0_sin
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
         limb2_lower_twist_rate_wx = t66 - limb2_U_v_1 * (limb2_U_v_0 * minus_limb2_U_0_cos)
-        minus_limb2_lower_twist_rate_wz = limb2_U_a_1 * minus_limb2_U_0_cos + limb2_U_v_1 * (limb2_U_v_0 * limb2_U_0_sin)
+        minus_limb2_lower_twist_rate_wz = (
+            limb2_U_a_1 * minus_limb2_U_0_cos + limb2_U_v_1 * (limb2_U_v_0 * limb2_U_0_sin)
+        )
         limb2_lower_twist_rate_wz = -minus_limb2_lower_twist_rate_wz
-        limb2_U_1_screw_vx = 0.8 * minus_limb2_U_0_cos
+        limb2_U_1_screw_vx = param_R * minus_limb2_U_0_cos
         t72 = limb2_U_a_1 * limb2_U_1_screw_vx
-        limb2_U_1_screw_vz = 0.8 * limb2_U_0_sin
+        limb2_U_1_screw_vz = param_R * limb2_U_0_sin
         limb2_lower_twist_rate_vx = t72 + limb2_U_v_1 * (limb2_U_v_0 * limb2_U_1_screw_vz)
-        limb2_lower_twist_rate_vz = limb2_U_a_1 * limb2_U_1_screw_vz - limb2_U_v_1 * (limb2_U_v_0 * limb2_U_1_screw_vx)
-        t78 = 2.6179938779914944 + limb2_U_q_1
+        limb2_lower_twist_rate_vz = (
+            limb2_U_a_1 * limb2_U_1_screw_vz - limb2_U_v_1 * (limb2_U_v_0 * limb2_U_1_screw_vx)
+        )
+        t78 = limb_lower_phase_2 + limb2_U_q_1
         limb2_lower_cos = np.cos(t78)
         minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos
         # limb2: accelerations; geometry; velocities, eq. (6)
@@ -740,13 +836,15 @@ def body_twist_rates(*arguments):
         limb3_U_0_sin = np.sin(limb3_U_q_0)
         limb3_lower_twist_rate_wy = t96 - limb3_U_v_1 * (limb3_U_v_0 * limb3_U_0_sin)
         limb3_lower_twist_rate_wz = limb3_U_a_1 * limb3_U_0_sin + limb3_U_v_1 * (limb3_U_v_0 * limb3_U_0_cos)
-        minus_limb3_U_1_screw_vy = 0.8 * limb3_U_0_sin
+        minus_limb3_U_1_screw_vy = param_R * limb3_U_0_sin
         t102 = limb3_U_a_1 * minus_limb3_U_1_screw_vy
-        limb3_U_1_screw_vz = 0.8 * limb3_U_0_cos
+        limb3_U_1_screw_vz = param_R * limb3_U_0_cos
         minus_limb3_lower_twist_rate_vy = t102 + limb3_U_v_1 * (limb3_U_v_0 * limb3_U_1_screw_vz)
         limb3_lower_twist_rate_vy = -minus_limb3_lower_twist_rate_vy
-        limb3_lower_twist_rate_vz = limb3_U_a_1 * limb3_U_1_screw_vz - limb3_U_v_1 * (limb3_U_v_0 * minus_limb3_U_1_screw_vy)
-        t108 = 0.5235987755982989 - limb3_U_q_1
+        limb3_lower_twist_rate_vz = (
+            limb3_U_a_1 * limb3_U_1_screw_vz - limb3_U_v_1 * (limb3_U_v_0 * minus_limb3_U_1_screw_vy)
+        )
+        t108 = limb_lower_phase - limb3_U_q_1
         limb3_lower_cos = np.cos(t108)
         limb3_lower_rotation_zx = limb3_U_0_cos * limb3_lower_cos
         limb3_lower_twist_wy = limb3_U_v_1 * limb3_U_0_cos
@@ -762,7 +860,9 @@ def body_twist_rates(*arguments):
         minus_limb3_upper_twist_rate_vy = t115 + t119
         limb3_upper_twist_rate_vy = -minus_limb3_upper_twist_rate_vy
         t121 = limb3_lower_twist_rate_vz + limb3_P_a * limb3_lower_rotation_zx
-        t125 = limb3_P_v * (limb3_U_v_0 * minus_limb3_lower_rotation_yx - minus_limb3_lower_sin * limb3_lower_twist_wy)
+        t125 = (
+            limb3_P_v * (limb3_U_v_0 * minus_limb3_lower_rotation_yx - minus_limb3_lower_sin * limb3_lower_twist_wy)
+        )
         limb3_upper_twist_rate_vz = t121 - t125
         # limb4: geometry
         limb4_U_0_sin = np.cos(limb4_U_q_0)
@@ -770,16 +870,20 @@ def body_twist_rates(*arguments):
         t126 = limb4_U_a_1 * limb4_U_0_sin
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
         limb4_lower_twist_rate_wx = t126 - limb4_U_v_1 * (limb4_U_v_0 * minus_limb4_U_0_cos)
-        minus_limb4_lower_twist_rate_wz = limb4_U_a_1 * minus_limb4_U_0_cos + limb4_U_v_1 * (limb4_U_v_0 * limb4_U_0_sin)
+        minus_limb4_lower_twist_rate_wz = (
+            limb4_U_a_1 * minus_limb4_U_0_cos + limb4_U_v_1 * (limb4_U_v_0 * limb4_U_0_sin)
+        )
         limb4_lower_twist_rate_wz = -minus_limb4_lower_twist_rate_wz
-        minus_limb4_U_1_screw_vx = 0.8 * minus_limb4_U_0_cos
+        minus_limb4_U_1_screw_vx = param_R * minus_limb4_U_0_cos
         t132 = limb4_U_a_1 * minus_limb4_U_1_screw_vx
-        minus_limb4_U_1_screw_vz = 0.8 * limb4_U_0_sin
+        minus_limb4_U_1_screw_vz = param_R * limb4_U_0_sin
         minus_limb4_lower_twist_rate_vx = t132 + limb4_U_v_1 * (limb4_U_v_0 * minus_limb4_U_1_screw_vz)
         limb4_lower_twist_rate_vx = -minus_limb4_lower_twist_rate_vx
-        minus_limb4_lower_twist_rate_vz = limb4_U_a_1 * minus_limb4_U_1_screw_vz - limb4_U_v_1 * (limb4_U_v_0 * minus_limb4_U_1_screw_vx)
+        minus_limb4_lower_twist_rate_vz = (
+            limb4_U_a_1 * minus_limb4_U_1_screw_vz - limb4_U_v_1 * (limb4_U_v_0 * minus_limb4_U_1_screw_vx)
+        )
         limb4_lower_twist_rate_vz = -minus_limb4_lower_twist_rate_vz
-        t138 = 2.6179938779914944 - limb4_U_q_1
+        t138 = limb_lower_phase_2 - limb4_U_q_1
         limb4_lower_cos = np.cos(t138)
         minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos
         t140 = minus_limb4_lower_twist_rate_vx + limb4_P_a * minus_limb4_lower_rotation_xx
@@ -787,16 +891,21 @@ def body_twist_rates(*arguments):
         t141 = limb4_U_v_0 * minus_limb4_lower_rotation_zx
         minus_limb4_lower_sin = np.sin(t138)
         minus_limb4_lower_twist_wz = limb4_U_v_1 * minus_limb4_U_0_cos
-        minus_limb4_upper_twist_rate_vx = t140 + limb4_P_v * (t141 + minus_limb4_lower_sin * minus_limb4_lower_twist_wz)
+        minus_limb4_upper_twist_rate_vx = (
+            t140 + limb4_P_v * (t141 + minus_limb4_lower_sin * minus_limb4_lower_twist_wz)
+        )
         limb4_upper_twist_rate_vx = -minus_limb4_upper_twist_rate_vx
         t145 = minus_limb4_lower_rotation_xx * minus_limb4_lower_twist_wz
         limb4_lower_twist_wx = limb4_U_v_1 * limb4_U_0_sin
         t148 = limb4_P_v * (t145 + minus_limb4_lower_rotation_zx * limb4_lower_twist_wx)
         limb4_upper_twist_rate_vy = t148 - limb4_P_a * minus_limb4_lower_sin
         t151 = minus_limb4_lower_twist_rate_vz + limb4_P_a * minus_limb4_lower_rotation_zx
-        t155 = limb4_P_v * (minus_limb4_lower_sin * limb4_lower_twist_wx - limb4_U_v_0 * minus_limb4_lower_rotation_xx)
+        t155 = (
+            limb4_P_v * (minus_limb4_lower_sin * limb4_lower_twist_wx - limb4_U_v_0 * minus_limb4_lower_rotation_xx)
+        )
         minus_limb4_upper_twist_rate_vz = t151 + t155
         limb4_upper_twist_rate_vz = -minus_limb4_upper_twist_rate_vz
+        guards = ()
         return _finish(batch, ((platform_twist_rate_wx, platform_twist_rate_wy,
             platform_twist_rate_wz, 0.0, 0.0, 0.0, limb1_U_a_0, limb1_lower_twist_rate_wy,
             limb1_lower_twist_rate_wz, 0.0, limb1_lower_twist_rate_vy, limb1_lower_twist_rate_vz,
@@ -812,8 +921,8 @@ def body_twist_rates(*arguments):
             limb3_upper_twist_rate_vz, limb4_lower_twist_rate_wx, limb4_U_a_0,
             limb4_lower_twist_rate_wz, limb4_lower_twist_rate_vx, 0.0, limb4_lower_twist_rate_vz,
             limb4_lower_twist_rate_wx, limb4_U_a_0, limb4_lower_twist_rate_wz,
-            limb4_upper_twist_rate_vx, limb4_upper_twist_rate_vy, limb4_upper_twist_rate_vz),), (),
-            (platform_twist_rate_wx, platform_twist_rate_wy, platform_twist_rate_wz,
+            limb4_upper_twist_rate_vx, limb4_upper_twist_rate_vy, limb4_upper_twist_rate_vz),),
+            guards, (platform_twist_rate_wx, platform_twist_rate_wy, platform_twist_rate_wz,
             limb1_lower_twist_rate_wy, limb1_lower_twist_rate_wz, limb1_upper_twist_rate_vx,
             limb1_upper_twist_rate_vy, minus_limb1_upper_twist_rate_vz, limb2_lower_twist_rate_wx,
             minus_limb2_lower_twist_rate_wz, limb2_upper_twist_rate_vx, limb2_upper_twist_rate_vy,
@@ -866,11 +975,11 @@ def forward_kinematics(*arguments):
         t11 = limb5_S_q_qx * t10
         t12 = limb5_S_q_qy * t9
         t13 = limb5_S_q_qw * t12
-        E_positions_x = 0.5196152422706631 * (t11 + t13)
+        E_positions_x = param_H * (t11 + t13)
         t14 = limb5_S_q_qy * t10
         t16 = limb5_S_q_qw * (limb5_S_q_qx * t9)
-        E_positions_y = 0.5196152422706631 * (t14 - t16)
-        E_positions_z = 0.5196152422706631 * (1.0 - t9 * (t2 + t4))
+        E_positions_y = param_H * (t14 - t16)
+        E_positions_z = param_H * (1.0 - t9 * (t2 + t4))
         t20 = 0.5 * (1.0 - t6 * t9)
         limb1_upper_position_x = E_positions_x - t20
         t21 = limb5_S_q_qx * t12
@@ -891,18 +1000,20 @@ def forward_kinematics(*arguments):
         limb4_lower_limb_target_y = E_positions_x + t25
         limb4_upper_position_y = E_positions_y + t28
         limb4_lower_limb_target_x = E_positions_z + t29
-        return _finish(batch, ((0.0, 0.0, 0.0, E_positions_x, E_positions_y, E_positions_z, (-0.8),
-            0.0, 0.0, 0.0, (-0.8), 0.0, 0.8, 0.0, 0.0, 0.0, 0.8, 0.0, limb1_upper_position_x,
-            limb1_lower_limb_target_x, limb1_lower_limb_target_y, limb2_lower_limb_target_y,
-            limb2_upper_position_y, limb2_lower_limb_target_x, limb3_upper_position_x,
-            limb3_lower_limb_target_x, limb3_lower_limb_target_y, limb4_lower_limb_target_y,
-            limb4_upper_position_y, limb4_lower_limb_target_x),), (), (limb1_upper_position_x,
-            limb1_lower_limb_target_x, limb1_lower_limb_target_y, limb2_lower_limb_target_y,
-            limb2_upper_position_y, limb2_lower_limb_target_x, limb3_upper_position_x,
-            limb3_lower_limb_target_x, limb3_lower_limb_target_y, limb4_lower_limb_target_y,
-            limb4_upper_position_y, limb4_lower_limb_target_x, limb1_U_q_0, limb1_U_q_1, limb1_P_q,
-            limb2_U_q_0, limb2_U_q_1, limb2_P_q, limb3_U_q_0, limb3_U_q_1, limb3_P_q, limb4_U_q_0,
-            limb4_U_q_1, limb4_P_q), ((t7, 0.999999, 1.000001, 5),))
+        guards = ()
+        return _finish(batch, ((0.0, 0.0, 0.0, E_positions_x, E_positions_y, E_positions_z,
+            (-param_R), 0.0, 0.0, 0.0, (-param_R), 0.0, param_R, 0.0, 0.0, 0.0, param_R, 0.0,
+            limb1_upper_position_x, limb1_lower_limb_target_x, limb1_lower_limb_target_y,
+            limb2_lower_limb_target_y, limb2_upper_position_y, limb2_lower_limb_target_x,
+            limb3_upper_position_x, limb3_lower_limb_target_x, limb3_lower_limb_target_y,
+            limb4_lower_limb_target_y, limb4_upper_position_y, limb4_lower_limb_target_x),), guards,
+            (limb1_upper_position_x, limb1_lower_limb_target_x, limb1_lower_limb_target_y,
+            limb2_lower_limb_target_y, limb2_upper_position_y, limb2_lower_limb_target_x,
+            limb3_upper_position_x, limb3_lower_limb_target_x, limb3_lower_limb_target_y,
+            limb4_lower_limb_target_y, limb4_upper_position_y, limb4_lower_limb_target_x,
+            limb1_U_q_0, limb1_U_q_1, limb1_P_q, limb2_U_q_0, limb2_U_q_1, limb2_P_q, limb3_U_q_0,
+            limb3_U_q_1, limb3_P_q, limb4_U_q_0, limb4_U_q_1, limb4_P_q), ((t7, 0.999999, 1.000001,
+            5),))
 
 
 def point_motion(*arguments):
@@ -968,13 +1079,13 @@ def point_motion(*arguments):
         t12 = limb5_S_q_qy * t9
         t13 = limb5_S_q_qw * t12
         platform_turn_xz = t11 + t13
-        E_positions_x = 0.5196152422706631 * platform_turn_xz
+        E_positions_x = param_H * platform_turn_xz
         t14 = limb5_S_q_qy * t10
         t16 = limb5_S_q_qw * (limb5_S_q_qx * t9)
         platform_turn_yz = t14 - t16
-        E_positions_y = 0.5196152422706631 * platform_turn_yz
+        E_positions_y = param_H * platform_turn_yz
         platform_turn_zz = 1.0 - t9 * (t2 + t4)
-        E_positions_z = 0.5196152422706631 * platform_turn_zz
+        E_positions_z = param_H * platform_turn_zz
         platform_turn_xx = 1.0 - t6 * t9
         t20 = 0.5 * platform_turn_xx
         minus_limb1_upper_position_x = t20 - E_positions_x
@@ -1026,13 +1137,19 @@ def point_motion(*arguments):
         t56 = t54 - minus_limb1_upper_position_x * platform_twist_wy
         C1_velocities_z = -t56
         C2_velocities_x = limb2_lower_limb_target_x * platform_twist_wy - limb2_upper_position_y * platform_twist_wz
-        C2_velocities_y = limb2_lower_limb_target_y * platform_twist_wz - limb2_lower_limb_target_x * platform_twist_wx
+        C2_velocities_y = (
+            limb2_lower_limb_target_y * platform_twist_wz - limb2_lower_limb_target_x * platform_twist_wx
+        )
         C2_velocities_z = limb2_upper_position_y * platform_twist_wx - limb2_lower_limb_target_y * platform_twist_wy
-        C3_velocities_x = limb3_lower_limb_target_y * platform_twist_wy - limb3_lower_limb_target_x * platform_twist_wz
+        C3_velocities_x = (
+            limb3_lower_limb_target_y * platform_twist_wy - limb3_lower_limb_target_x * platform_twist_wz
+        )
         C3_velocities_y = limb3_upper_position_x * platform_twist_wz - limb3_lower_limb_target_y * platform_twist_wx
         C3_velocities_z = limb3_lower_limb_target_x * platform_twist_wx - limb3_upper_position_x * platform_twist_wy
         C4_velocities_x = limb4_lower_limb_target_x * platform_twist_wy - limb4_upper_position_y * platform_twist_wz
-        C4_velocities_y = limb4_lower_limb_target_y * platform_twist_wz - limb4_lower_limb_target_x * platform_twist_wx
+        C4_velocities_y = (
+            limb4_lower_limb_target_y * platform_twist_wz - limb4_lower_limb_target_x * platform_twist_wx
+        )
         C4_velocities_z = limb4_upper_position_y * platform_twist_wx - limb4_lower_limb_target_y * platform_twist_wy
         t77 = limb5_S_a_wx * platform_turn_yx + limb5_S_a_wy * platform_turn_yy
         platform_twist_rate_wy = t77 + limb5_S_a_wz * platform_turn_yz
@@ -1087,30 +1204,31 @@ def point_motion(*arguments):
         t174 = limb4_upper_position_y * platform_twist_rate_wx
         t176 = t174 - limb4_lower_limb_target_y * platform_twist_rate_wy
         C4_accelerations_z = t176 + (platform_twist_wx * C4_velocities_y - platform_twist_wy * C4_velocities_x)
-        return _finish(batch, ((0.0, 0.0, 0.0, E_positions_x, E_positions_y, E_positions_z, (-0.8),
-            0.0, 0.0, 0.0, (-0.8), 0.0, 0.8, 0.0, 0.0, 0.0, 0.8, 0.0, limb1_upper_position_x,
-            limb1_lower_limb_target_x, limb1_lower_limb_target_y, limb2_lower_limb_target_y,
-            limb2_upper_position_y, limb2_lower_limb_target_x, limb3_upper_position_x,
-            limb3_lower_limb_target_x, limb3_lower_limb_target_y, limb4_lower_limb_target_y,
-            limb4_upper_position_y, limb4_lower_limb_target_x), (0.0, 0.0, 0.0, E_velocities_x,
-            E_velocities_y, E_velocities_z, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, C1_velocities_x, C1_velocities_y, C1_velocities_z, C2_velocities_x,
-            C2_velocities_y, C2_velocities_z, C3_velocities_x, C3_velocities_y, C3_velocities_z,
-            C4_velocities_x, C4_velocities_y, C4_velocities_z), (0.0, 0.0, 0.0, E_accelerations_x,
-            E_accelerations_y, E_accelerations_z, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, C1_accelerations_x, C1_accelerations_y, C1_accelerations_z,
-            C2_accelerations_x, C2_accelerations_y, C2_accelerations_z, C3_accelerations_x,
-            C3_accelerations_y, C3_accelerations_z, C4_accelerations_x, C4_accelerations_y,
-            C4_accelerations_z)), (), (E_accelerations_x, E_accelerations_y, E_accelerations_z,
-            t111, t118, t125, C2_accelerations_x, C2_accelerations_y, C2_accelerations_z,
+        guards = ()
+        return _finish(batch, ((0.0, 0.0, 0.0, E_positions_x, E_positions_y, E_positions_z,
+            (-param_R), 0.0, 0.0, 0.0, (-param_R), 0.0, param_R, 0.0, 0.0, 0.0, param_R, 0.0,
+            limb1_upper_position_x, limb1_lower_limb_target_x, limb1_lower_limb_target_y,
+            limb2_lower_limb_target_y, limb2_upper_position_y, limb2_lower_limb_target_x,
+            limb3_upper_position_x, limb3_lower_limb_target_x, limb3_lower_limb_target_y,
+            limb4_lower_limb_target_y, limb4_upper_position_y, limb4_lower_limb_target_x), (0.0,
+            0.0, 0.0, E_velocities_x, E_velocities_y, E_velocities_z, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, C1_velocities_x, C1_velocities_y, C1_velocities_z,
+            C2_velocities_x, C2_velocities_y, C2_velocities_z, C3_velocities_x, C3_velocities_y,
+            C3_velocities_z, C4_velocities_x, C4_velocities_y, C4_velocities_z), (0.0, 0.0, 0.0,
+            E_accelerations_x, E_accelerations_y, E_accelerations_z, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, C1_accelerations_x, C1_accelerations_y,
+            C1_accelerations_z, C2_accelerations_x, C2_accelerations_y, C2_accelerations_z,
             C3_accelerations_x, C3_accelerations_y, C3_accelerations_z, C4_accelerations_x,
-            C4_accelerations_y, C4_accelerations_z, limb1_U_q_0, limb1_U_q_1, limb1_P_q,
-            limb2_U_q_0, limb2_U_q_1, limb2_P_q, limb3_U_q_0, limb3_U_q_1, limb3_P_q, limb4_U_q_0,
-            limb4_U_q_1, limb4_P_q, limb1_U_v_0, limb1_U_v_1, limb1_P_v, limb2_U_v_0, limb2_U_v_1,
-            limb2_P_v, limb3_U_v_0, limb3_U_v_1, limb3_P_v, limb4_U_v_0, limb4_U_v_1, limb4_P_v,
-            limb1_U_a_0, limb1_U_a_1, limb1_P_a, limb2_U_a_0, limb2_U_a_1, limb2_P_a, limb3_U_a_0,
-            limb3_U_a_1, limb3_P_a, limb4_U_a_0, limb4_U_a_1, limb4_P_a), ((t7, 0.999999, 1.000001,
-            5),))
+            C4_accelerations_y, C4_accelerations_z)), guards, (E_accelerations_x, E_accelerations_y,
+            E_accelerations_z, t111, t118, t125, C2_accelerations_x, C2_accelerations_y,
+            C2_accelerations_z, C3_accelerations_x, C3_accelerations_y, C3_accelerations_z,
+            C4_accelerations_x, C4_accelerations_y, C4_accelerations_z, limb1_U_q_0, limb1_U_q_1,
+            limb1_P_q, limb2_U_q_0, limb2_U_q_1, limb2_P_q, limb3_U_q_0, limb3_U_q_1, limb3_P_q,
+            limb4_U_q_0, limb4_U_q_1, limb4_P_q, limb1_U_v_0, limb1_U_v_1, limb1_P_v, limb2_U_v_0,
+            limb2_U_v_1, limb2_P_v, limb3_U_v_0, limb3_U_v_1, limb3_P_v, limb4_U_v_0, limb4_U_v_1,
+            limb4_P_v, limb1_U_a_0, limb1_U_a_1, limb1_P_a, limb2_U_a_0, limb2_U_a_1, limb2_P_a,
+            limb3_U_a_0, limb3_U_a_1, limb3_P_a, limb4_U_a_0, limb4_U_a_1, limb4_P_a), ((t7,
+            0.999999, 1.000001, 5),))
 
 
 def joint_screws(*arguments):
@@ -1169,10 +1287,10 @@ def joint_screws(*arguments):
         # limb1: geometry; screws, eq. (5)
         limb1_U_0_cos = np.cos(limb1_U_q_0)
         limb1_U_0_sin = np.sin(limb1_U_q_0)
-        limb1_U_1_screw_vy = 0.8 * limb1_U_0_sin
-        minus_limb1_U_1_screw_vz = 0.8 * limb1_U_0_cos
+        limb1_U_1_screw_vy = param_R * limb1_U_0_sin
+        minus_limb1_U_1_screw_vz = param_R * limb1_U_0_cos
         limb1_U_1_screw_vz = -minus_limb1_U_1_screw_vz
-        t1 = 0.5235987755982989 + limb1_U_q_1
+        t1 = limb_lower_phase + limb1_U_q_1
         limb1_lower_sin = np.sin(t1)
         limb1_lower_cos = np.cos(t1)
         minus_limb1_lower_rotation_yx = limb1_U_0_sin * limb1_lower_cos
@@ -1181,13 +1299,13 @@ def joint_screws(*arguments):
         limb1_lower_rotation_yy = limb1_U_0_sin * limb1_lower_sin
         minus_limb1_lower_rotation_zy = limb1_U_0_cos * limb1_lower_sin
         limb1_lower_rotation_zy = -minus_limb1_lower_rotation_zy
-        limb1_upper_offset_x = 0.3 + limb1_P_q
+        limb1_upper_offset_x = limb_upper_phase + limb1_P_q
         minus_limb1_upper_position_y = limb1_upper_offset_x * minus_limb1_lower_rotation_yx
         t2 = minus_limb1_lower_rotation_zy * minus_limb1_upper_position_y
         limb1_upper_position_z = limb1_upper_offset_x * limb1_lower_rotation_zx
         limb1_U2_screws_0_vx = t2 - limb1_lower_rotation_yy * limb1_upper_position_z
         t4 = limb1_lower_cos * limb1_upper_position_z
-        minus_limb1_upper_position_x = 0.8 - limb1_lower_sin * limb1_upper_offset_x
+        minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x
         limb1_U2_screws_0_vy = t4 - minus_limb1_lower_rotation_zy * minus_limb1_upper_position_x
         t6 = limb1_lower_cos * minus_limb1_upper_position_y
         limb1_U2_screws_0_vz = t6 - limb1_lower_rotation_yy * minus_limb1_upper_position_x
@@ -1206,24 +1324,26 @@ def joint_screws(*arguments):
         platform_turn_zy = limb5_S_q_qy * t19 + limb5_S_q_qw * (limb5_S_q_qx * t16)
         t28 = platform_turn_zy * minus_limb1_upper_position_y + platform_turn_yy * limb1_upper_position_z  # limb1
         limb1_U2_screws_1_vx = -t28
-        limb1_U2_screws_1_vy = platform_turn_xy * limb1_upper_position_z + platform_turn_zy * minus_limb1_upper_position_x
+        limb1_U2_screws_1_vy = (
+            platform_turn_xy * limb1_upper_position_z + platform_turn_zy * minus_limb1_upper_position_x
+        )
         t31 = platform_turn_xy * minus_limb1_upper_position_y  # limb1
         limb1_U2_screws_1_vz = t31 - platform_turn_yy * minus_limb1_upper_position_x
         # limb2: geometry
         limb2_U_0_sin = np.cos(limb2_U_q_0)
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
         limb2_U_0_cos = -minus_limb2_U_0_cos
-        limb2_U_1_screw_vx = 0.8 * minus_limb2_U_0_cos
-        limb2_U_1_screw_vz = 0.8 * limb2_U_0_sin
-        t33 = 2.6179938779914944 + limb2_U_q_1
+        limb2_U_1_screw_vx = param_R * minus_limb2_U_0_cos
+        limb2_U_1_screw_vz = param_R * limb2_U_0_sin
+        t33 = limb_lower_phase_2 + limb2_U_q_1
         limb2_lower_cos = np.cos(t33)
         minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos
         limb2_lower_rotation_xx = -minus_limb2_lower_rotation_xx
         limb2_lower_sin = np.sin(t33)
         minus_limb2_lower_rotation_zx = limb2_U_0_sin * limb2_lower_cos
         limb2_lower_rotation_zx = -minus_limb2_lower_rotation_zx
-        limb2_upper_offset_x = 0.3 + limb2_P_q
-        minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
+        limb2_upper_offset_x = limb_upper_phase + limb2_P_q
+        minus_limb2_upper_position_y = param_R - limb2_lower_sin * limb2_upper_offset_x
         # limb2: screws, eq. (5); geometry
         limb2_S_screws_x_vx = minus_limb2_U_0_cos * minus_limb2_upper_position_y
         minus_limb2_upper_position_z = limb2_upper_offset_x * minus_limb2_lower_rotation_zx
@@ -1234,55 +1354,59 @@ def joint_screws(*arguments):
         limb2_S_screws_x_vz = limb2_U_0_sin * minus_limb2_upper_position_y
         t37 = 0.5 * minus_limb2_lower_rotation_xx
         limb2_lower_rotation_xy = minus_limb2_U_0_cos * limb2_lower_sin
-        t39 = t37 + 0.8660254037844386 * limb2_lower_rotation_xy
+        t39 = t37 + k1 * limb2_lower_rotation_xy
         limb2_S_screws_y_wx = -t39
-        limb2_S_screws_y_wy = 0.5 * limb2_lower_sin - 0.8660254037844386 * limb2_lower_cos
+        limb2_S_screws_y_wy = 0.5 * limb2_lower_sin - k1 * limb2_lower_cos
         t42 = 0.5 * minus_limb2_lower_rotation_zx
         limb2_lower_rotation_zy = limb2_U_0_sin * limb2_lower_sin
-        t44 = t42 + 0.8660254037844386 * limb2_lower_rotation_zy
+        t44 = t42 + k1 * limb2_lower_rotation_zy
         limb2_S_screws_y_wz = -t44
-        limb2_S_screws_y_vx = minus_limb2_upper_position_y * t44 + minus_limb2_upper_position_z * limb2_S_screws_y_wy
+        limb2_S_screws_y_vx = (
+            minus_limb2_upper_position_y * t44 + minus_limb2_upper_position_z * limb2_S_screws_y_wy
+        )
         limb2_S_screws_y_vy = minus_limb2_upper_position_z * t39 - minus_limb2_upper_position_x * t44
         t51 = minus_limb2_upper_position_x * limb2_S_screws_y_wy + minus_limb2_upper_position_y * t39
         limb2_S_screws_y_vz = -t51
-        t54 = 0.8660254037844386 * minus_limb2_lower_rotation_xx - 0.5 * limb2_lower_rotation_xy
+        t54 = k1 * minus_limb2_lower_rotation_xx - 0.5 * limb2_lower_rotation_xy
         limb2_S_screws_z_wx = -t54
-        limb2_S_screws_z_wy = 0.8660254037844386 * limb2_lower_sin + 0.5 * limb2_lower_cos
-        t59 = 0.8660254037844386 * minus_limb2_lower_rotation_zx - 0.5 * limb2_lower_rotation_zy
+        limb2_S_screws_z_wy = k1 * limb2_lower_sin + 0.5 * limb2_lower_cos
+        t59 = k1 * minus_limb2_lower_rotation_zx - 0.5 * limb2_lower_rotation_zy
         limb2_S_screws_z_wz = -t59
-        limb2_S_screws_z_vx = minus_limb2_upper_position_y * t59 + minus_limb2_upper_position_z * limb2_S_screws_z_wy
+        limb2_S_screws_z_vx = (
+            minus_limb2_upper_position_y * t59 + minus_limb2_upper_position_z * limb2_S_screws_z_wy
+        )
         limb2_S_screws_z_vy = minus_limb2_upper_position_z * t54 - minus_limb2_upper_position_x * t59
         t66 = minus_limb2_upper_position_x * limb2_S_screws_z_wy + minus_limb2_upper_position_y * t54
         limb2_S_screws_z_vz = -t66
         # limb3: geometry; screws, eq. (5)
         limb3_U_0_cos = np.cos(limb3_U_q_0)
         limb3_U_0_sin = np.sin(limb3_U_q_0)
-        minus_limb3_U_1_screw_vy = 0.8 * limb3_U_0_sin
+        minus_limb3_U_1_screw_vy = param_R * limb3_U_0_sin
         limb3_U_1_screw_vy = -minus_limb3_U_1_screw_vy
-        limb3_U_1_screw_vz = 0.8 * limb3_U_0_cos
-        t67 = 0.5235987755982989 - limb3_U_q_1
+        limb3_U_1_screw_vz = param_R * limb3_U_0_cos
+        t67 = limb_lower_phase - limb3_U_q_1
         minus_limb3_lower_sin = np.sin(t67)
         limb3_lower_sin = -minus_limb3_lower_sin
         limb3_lower_cos = np.cos(t67)
         minus_limb3_lower_rotation_yx = limb3_U_0_sin * limb3_lower_cos
         limb3_lower_rotation_yx = -minus_limb3_lower_rotation_yx
         limb3_lower_rotation_zx = limb3_U_0_cos * limb3_lower_cos
-        limb3_S_screws_x_wx = 0.5 * minus_limb3_lower_sin + 0.8660254037844386 * limb3_lower_cos
+        limb3_S_screws_x_wx = 0.5 * minus_limb3_lower_sin + k1 * limb3_lower_cos
         t70 = 0.5 * minus_limb3_lower_rotation_yx
         minus_limb3_lower_rotation_yy = limb3_U_0_sin * minus_limb3_lower_sin
-        limb3_S_screws_x_wy = t70 - 0.8660254037844386 * minus_limb3_lower_rotation_yy
+        limb3_S_screws_x_wy = t70 - k1 * minus_limb3_lower_rotation_yy
         t72 = 0.5 * limb3_lower_rotation_zx
         limb3_lower_rotation_zy = limb3_U_0_cos * minus_limb3_lower_sin
         # limb3: screws, eq. (5); geometry
-        t74 = t72 - 0.8660254037844386 * limb3_lower_rotation_zy
+        t74 = t72 - k1 * limb3_lower_rotation_zy
         limb3_S_screws_x_wz = -t74
-        limb3_upper_offset_x = 0.3 + limb3_P_q
+        limb3_upper_offset_x = limb_upper_phase + limb3_P_q
         minus_limb3_upper_position_y = limb3_upper_offset_x * minus_limb3_lower_rotation_yx
         t75 = minus_limb3_upper_position_y * t74
         limb3_upper_position_z = limb3_upper_offset_x * limb3_lower_rotation_zx
         limb3_S_screws_x_vx = t75 - limb3_upper_position_z * limb3_S_screws_x_wy
         t77 = limb3_upper_position_z * limb3_S_screws_x_wx
-        limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
+        limb3_upper_position_x = param_R - minus_limb3_lower_sin * limb3_upper_offset_x
         limb3_S_screws_x_vy = t77 + limb3_upper_position_x * t74
         t79 = limb3_upper_position_x * limb3_S_screws_x_wy
         limb3_S_screws_x_vz = t79 + minus_limb3_upper_position_y * limb3_S_screws_x_wx
@@ -1291,11 +1415,11 @@ def joint_screws(*arguments):
         t84 = limb3_U_0_sin * limb3_upper_position_x
         limb3_S_screws_y_vy = -t84
         limb3_S_screws_y_vz = limb3_U_0_cos * limb3_upper_position_x
-        t87 = 0.8660254037844386 * minus_limb3_lower_sin - 0.5 * limb3_lower_cos
+        t87 = k1 * minus_limb3_lower_sin - 0.5 * limb3_lower_cos
         limb3_S_screws_z_wx = -t87
-        t90 = 0.8660254037844386 * minus_limb3_lower_rotation_yx + 0.5 * minus_limb3_lower_rotation_yy
+        t90 = k1 * minus_limb3_lower_rotation_yx + 0.5 * minus_limb3_lower_rotation_yy
         limb3_S_screws_z_wy = -t90
-        limb3_S_screws_z_wz = 0.8660254037844386 * limb3_lower_rotation_zx + 0.5 * limb3_lower_rotation_zy
+        limb3_S_screws_z_wz = k1 * limb3_lower_rotation_zx + 0.5 * limb3_lower_rotation_zy
         limb3_S_screws_z_vx = limb3_upper_position_z * t90 - minus_limb3_upper_position_y * limb3_S_screws_z_wz
         t97 = limb3_upper_position_z * t87 + limb3_upper_position_x * limb3_S_screws_z_wz
         limb3_S_screws_z_vy = -t97
@@ -1305,11 +1429,11 @@ def joint_screws(*arguments):
         limb4_U_0_sin = np.cos(limb4_U_q_0)
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
         limb4_U_0_cos = -minus_limb4_U_0_cos
-        minus_limb4_U_1_screw_vx = 0.8 * minus_limb4_U_0_cos
+        minus_limb4_U_1_screw_vx = param_R * minus_limb4_U_0_cos
         limb4_U_1_screw_vx = -minus_limb4_U_1_screw_vx
-        minus_limb4_U_1_screw_vz = 0.8 * limb4_U_0_sin
+        minus_limb4_U_1_screw_vz = param_R * limb4_U_0_sin
         limb4_U_1_screw_vz = -minus_limb4_U_1_screw_vz
-        t101 = 2.6179938779914944 - limb4_U_q_1
+        t101 = limb_lower_phase_2 - limb4_U_q_1
         limb4_lower_cos = np.cos(t101)
         minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos
         limb4_lower_rotation_xx = -minus_limb4_lower_rotation_xx
@@ -1317,8 +1441,8 @@ def joint_screws(*arguments):
         limb4_lower_sin = -minus_limb4_lower_sin
         minus_limb4_lower_rotation_zx = limb4_U_0_sin * limb4_lower_cos
         limb4_lower_rotation_zx = -minus_limb4_lower_rotation_zx
-        limb4_upper_offset_x = 0.3 + limb4_P_q
-        limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
+        limb4_upper_offset_x = limb_upper_phase + limb4_P_q
+        limb4_upper_position_y = param_R - minus_limb4_lower_sin * limb4_upper_offset_x
         # limb4: screws, eq. (5); geometry
         t102 = minus_limb4_U_0_cos * limb4_upper_position_y
         limb4_S_screws_x_vx = -t102
@@ -1331,11 +1455,11 @@ def joint_screws(*arguments):
         limb4_S_screws_x_vz = -t106
         t107 = 0.5 * minus_limb4_lower_rotation_xx
         minus_limb4_lower_rotation_xy = minus_limb4_U_0_cos * minus_limb4_lower_sin
-        limb4_S_screws_y_wx = t107 + 0.8660254037844386 * minus_limb4_lower_rotation_xy
-        limb4_S_screws_y_wy = 0.5 * minus_limb4_lower_sin - 0.8660254037844386 * limb4_lower_cos
+        limb4_S_screws_y_wx = t107 + k1 * minus_limb4_lower_rotation_xy
+        limb4_S_screws_y_wy = 0.5 * minus_limb4_lower_sin - k1 * limb4_lower_cos
         t111 = 0.5 * minus_limb4_lower_rotation_zx
         minus_limb4_lower_rotation_zy = limb4_U_0_sin * minus_limb4_lower_sin
-        limb4_S_screws_y_wz = t111 + 0.8660254037844386 * minus_limb4_lower_rotation_zy
+        limb4_S_screws_y_wz = t111 + k1 * minus_limb4_lower_rotation_zy
         t113 = limb4_upper_position_y * limb4_S_screws_y_wz
         limb4_S_screws_y_vx = t113 + minus_limb4_upper_position_z * limb4_S_screws_y_wy
         t115 = minus_limb4_upper_position_x * limb4_S_screws_y_wz
@@ -1343,16 +1467,17 @@ def joint_screws(*arguments):
         t117 = minus_limb4_upper_position_x * limb4_S_screws_y_wy
         t119 = t117 + limb4_upper_position_y * limb4_S_screws_y_wx
         limb4_S_screws_y_vz = -t119
-        t122 = 0.8660254037844386 * minus_limb4_lower_rotation_xx - 0.5 * minus_limb4_lower_rotation_xy
+        t122 = k1 * minus_limb4_lower_rotation_xx - 0.5 * minus_limb4_lower_rotation_xy
         limb4_S_screws_z_wx = -t122
-        t125 = 0.8660254037844386 * minus_limb4_lower_sin + 0.5 * limb4_lower_cos
+        t125 = k1 * minus_limb4_lower_sin + 0.5 * limb4_lower_cos
         limb4_S_screws_z_wy = -t125
-        t128 = 0.8660254037844386 * minus_limb4_lower_rotation_zx - 0.5 * minus_limb4_lower_rotation_zy
+        t128 = k1 * minus_limb4_lower_rotation_zx - 0.5 * minus_limb4_lower_rotation_zy
         limb4_S_screws_z_wz = -t128
         t131 = limb4_upper_position_y * t128 + minus_limb4_upper_position_z * t125
         limb4_S_screws_z_vx = -t131
         limb4_S_screws_z_vy = minus_limb4_upper_position_z * t122 - minus_limb4_upper_position_x * t128
         limb4_S_screws_z_vz = minus_limb4_upper_position_x * t125 + limb4_upper_position_y * t122
+        guards = ()
         return _finish(batch, ((1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, limb1_U_0_cos, limb1_U_0_sin,
             0.0, limb1_U_1_screw_vy, limb1_U_1_screw_vz, 0.0, 0.0, 0.0, limb1_lower_sin,
             limb1_lower_rotation_yx, limb1_lower_rotation_zx, limb1_lower_cos,
@@ -1379,7 +1504,7 @@ def joint_screws(*arguments):
             limb4_S_screws_y_wy, limb4_S_screws_y_wz, limb4_S_screws_y_vx, limb4_S_screws_y_vy,
             limb4_S_screws_y_vz, limb4_S_screws_z_wx, limb4_S_screws_z_wy, limb4_S_screws_z_wz,
             limb4_S_screws_z_vx, limb4_S_screws_z_vy, limb4_S_screws_z_vz, 1.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0),), (),
+            0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0),), guards,
             (limb1_U_1_screw_vy, minus_limb1_U_1_screw_vz, limb1_U2_screws_0_vx,
             limb1_U2_screws_0_vy, limb1_U2_screws_0_vz, t28, limb1_U2_screws_1_vy,
             limb1_U2_screws_1_vz, limb2_U_1_screw_vx, limb2_U_1_screw_vz, limb2_S_screws_x_vx, t36,
@@ -1422,89 +1547,90 @@ def joint_points(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # limb1: geometry; results
-        t1 = 0.5235987755982989 + limb1_U_q_1
+        t1 = limb_lower_phase + limb1_U_q_1
         limb1_lower_sin = np.sin(t1)
-        limb1_upper_offset_x = 0.3 + limb1_P_q
-        minus_limb1_upper_position_x = 0.8 - limb1_lower_sin * limb1_upper_offset_x
-        t3 = minus_limb1_upper_position_x + 0.3 * limb1_lower_sin
+        limb1_upper_offset_x = limb_upper_phase + limb1_P_q
+        minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x
+        t3 = minus_limb1_upper_position_x + limb_upper_phase * limb1_lower_sin
         limb1_P_points_x = -t3
         limb1_U_0_sin = np.sin(limb1_U_q_0)
         limb1_lower_cos = np.cos(t1)
         minus_limb1_lower_rotation_yx = limb1_U_0_sin * limb1_lower_cos
-        t4 = 0.3 * minus_limb1_lower_rotation_yx
+        t4 = limb_upper_phase * minus_limb1_lower_rotation_yx
         minus_limb1_upper_position_y = limb1_upper_offset_x * minus_limb1_lower_rotation_yx
         limb1_P_points_y = t4 - minus_limb1_upper_position_y
         limb1_lower_rotation_zx = np.cos(limb1_U_q_0) * limb1_lower_cos
         limb1_upper_position_z = limb1_upper_offset_x * limb1_lower_rotation_zx
-        limb1_P_points_z = limb1_upper_position_z - 0.3 * limb1_lower_rotation_zx
+        limb1_P_points_z = limb1_upper_position_z - limb_upper_phase * limb1_lower_rotation_zx
         limb1_upper_position_x = -minus_limb1_upper_position_x
         limb1_upper_position_y = -minus_limb1_upper_position_y
         # limb2: geometry; results
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
-        t6 = 2.6179938779914944 + limb2_U_q_1
+        t6 = limb_lower_phase_2 + limb2_U_q_1
         limb2_lower_cos = np.cos(t6)
         minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos
-        t7 = 0.3 * minus_limb2_lower_rotation_xx
-        limb2_upper_offset_x = 0.3 + limb2_P_q
+        t7 = limb_upper_phase * minus_limb2_lower_rotation_xx
+        limb2_upper_offset_x = limb_upper_phase + limb2_P_q
         minus_limb2_upper_position_x = limb2_upper_offset_x * minus_limb2_lower_rotation_xx
         limb2_P_points_x = t7 - minus_limb2_upper_position_x
         limb2_lower_sin = np.sin(t6)
-        minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
-        t9 = minus_limb2_upper_position_y + 0.3 * limb2_lower_sin
+        minus_limb2_upper_position_y = param_R - limb2_lower_sin * limb2_upper_offset_x
+        t9 = minus_limb2_upper_position_y + limb_upper_phase * limb2_lower_sin
         limb2_P_points_y = -t9
         minus_limb2_lower_rotation_zx = np.cos(limb2_U_q_0) * limb2_lower_cos
-        t10 = 0.3 * minus_limb2_lower_rotation_zx
+        t10 = limb_upper_phase * minus_limb2_lower_rotation_zx
         minus_limb2_upper_position_z = limb2_upper_offset_x * minus_limb2_lower_rotation_zx
         limb2_P_points_z = t10 - minus_limb2_upper_position_z
         limb2_upper_position_x = -minus_limb2_upper_position_x
         limb2_upper_position_y = -minus_limb2_upper_position_y
         limb2_upper_position_z = -minus_limb2_upper_position_z
         # limb3: geometry; results
-        t11 = 0.5235987755982989 - limb3_U_q_1
+        t11 = limb_lower_phase - limb3_U_q_1
         minus_limb3_lower_sin = np.sin(t11)
-        limb3_upper_offset_x = 0.3 + limb3_P_q
-        limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
-        limb3_P_points_x = limb3_upper_position_x + 0.3 * minus_limb3_lower_sin
+        limb3_upper_offset_x = limb_upper_phase + limb3_P_q
+        limb3_upper_position_x = param_R - minus_limb3_lower_sin * limb3_upper_offset_x
+        limb3_P_points_x = limb3_upper_position_x + limb_upper_phase * minus_limb3_lower_sin
         limb3_U_0_sin = np.sin(limb3_U_q_0)
         limb3_lower_cos = np.cos(t11)
         minus_limb3_lower_rotation_yx = limb3_U_0_sin * limb3_lower_cos
-        t13 = 0.3 * minus_limb3_lower_rotation_yx
+        t13 = limb_upper_phase * minus_limb3_lower_rotation_yx
         minus_limb3_upper_position_y = limb3_upper_offset_x * minus_limb3_lower_rotation_yx
         limb3_P_points_y = t13 - minus_limb3_upper_position_y
         limb3_lower_rotation_zx = np.cos(limb3_U_q_0) * limb3_lower_cos
         limb3_upper_position_z = limb3_upper_offset_x * limb3_lower_rotation_zx
-        limb3_P_points_z = limb3_upper_position_z - 0.3 * limb3_lower_rotation_zx
+        limb3_P_points_z = limb3_upper_position_z - limb_upper_phase * limb3_lower_rotation_zx
         limb3_upper_position_y = -minus_limb3_upper_position_y
         # limb4: geometry; results
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
-        t15 = 2.6179938779914944 - limb4_U_q_1
+        t15 = limb_lower_phase_2 - limb4_U_q_1
         limb4_lower_cos = np.cos(t15)
         minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos
-        t16 = 0.3 * minus_limb4_lower_rotation_xx
-        limb4_upper_offset_x = 0.3 + limb4_P_q
+        t16 = limb_upper_phase * minus_limb4_lower_rotation_xx
+        limb4_upper_offset_x = limb_upper_phase + limb4_P_q
         minus_limb4_upper_position_x = limb4_upper_offset_x * minus_limb4_lower_rotation_xx
         limb4_P_points_x = t16 - minus_limb4_upper_position_x
         minus_limb4_lower_sin = np.sin(t15)
-        limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
-        limb4_P_points_y = limb4_upper_position_y + 0.3 * minus_limb4_lower_sin
+        limb4_upper_position_y = param_R - minus_limb4_lower_sin * limb4_upper_offset_x
+        limb4_P_points_y = limb4_upper_position_y + limb_upper_phase * minus_limb4_lower_sin
         minus_limb4_lower_rotation_zx = np.cos(limb4_U_q_0) * limb4_lower_cos
-        t18 = 0.3 * minus_limb4_lower_rotation_zx
+        t18 = limb_upper_phase * minus_limb4_lower_rotation_zx
         minus_limb4_upper_position_z = limb4_upper_offset_x * minus_limb4_lower_rotation_zx
         limb4_P_points_z = t18 - minus_limb4_upper_position_z
         limb4_upper_position_x = -minus_limb4_upper_position_x
         limb4_upper_position_z = -minus_limb4_upper_position_z
-        return _finish(batch, (((-0.8), 0.0, 0.0, limb1_P_points_x, limb1_P_points_y,
+        guards = ()
+        return _finish(batch, (((-param_R), 0.0, 0.0, limb1_P_points_x, limb1_P_points_y,
             limb1_P_points_z, limb1_upper_position_x, limb1_upper_position_y,
-            limb1_upper_position_z, 0.0, (-0.8), 0.0, limb2_P_points_x, limb2_P_points_y,
+            limb1_upper_position_z, 0.0, (-param_R), 0.0, limb2_P_points_x, limb2_P_points_y,
             limb2_P_points_z, limb2_upper_position_x, limb2_upper_position_y,
-            limb2_upper_position_z, 0.8, 0.0, 0.0, limb3_P_points_x, limb3_P_points_y,
+            limb2_upper_position_z, param_R, 0.0, 0.0, limb3_P_points_x, limb3_P_points_y,
             limb3_P_points_z, limb3_upper_position_x, limb3_upper_position_y,
-            limb3_upper_position_z, 0.0, 0.8, 0.0, limb4_P_points_x, limb4_P_points_y,
+            limb3_upper_position_z, 0.0, param_R, 0.0, limb4_P_points_x, limb4_P_points_y,
             limb4_P_points_z, limb4_upper_position_x, limb4_upper_position_y,
-            limb4_upper_position_z, 0.0, 0.0, 0.0),), (), (t3, limb1_P_points_y, limb1_P_points_z,
-            limb2_P_points_x, t9, limb2_P_points_z, limb3_P_points_x, limb3_P_points_y,
-            limb3_P_points_z, limb4_P_points_x, limb4_P_points_y, limb4_P_points_z, limb5_S_q_qw,
-            limb5_S_q_qx, limb5_S_q_qy, limb5_S_q_qz))
+            limb4_upper_position_z, 0.0, 0.0, 0.0),), guards, (t3, limb1_P_points_y,
+            limb1_P_points_z, limb2_P_points_x, t9, limb2_P_points_z, limb3_P_points_x,
+            limb3_P_points_y, limb3_P_points_z, limb4_P_points_x, limb4_P_points_y,
+            limb4_P_points_z, limb5_S_q_qw, limb5_S_q_qx, limb5_S_q_qy, limb5_S_q_qz))
 
 
 def platform_jacobian(*arguments):
@@ -1581,6 +1707,7 @@ def platform_jacobian(*arguments):
         platform_turn_xz = t15 + t16
         platform_turn_yz = t19 - t21
         platform_turn_zz = 1.0 - t9 * (t5 + t1)
+        guards = ()
         return _finish(batch, ((0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
             0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
             0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
@@ -1588,7 +1715,7 @@ def platform_jacobian(*arguments):
             0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, platform_turn_xx, platform_turn_yx,
             platform_turn_zx, 0.0, 0.0, 0.0, platform_turn_xy, platform_turn_yy, platform_turn_zy,
             0.0, 0.0, 0.0, platform_turn_xz, platform_turn_yz, platform_turn_zz, 0.0, 0.0, 0.0),),
-            (), (platform_turn_xx, platform_turn_yx, platform_turn_zx, platform_turn_xy,
+            guards, (platform_turn_xx, platform_turn_yx, platform_turn_zx, platform_turn_xy,
             platform_turn_yy, platform_turn_zy, platform_turn_xz, platform_turn_yz,
             platform_turn_zz, limb1_U_q_0, limb1_U_q_1, limb1_P_q, limb2_U_q_0, limb2_U_q_1,
             limb2_P_q, limb3_U_q_0, limb3_U_q_1, limb3_P_q, limb4_U_q_0, limb4_U_q_1, limb4_P_q),
@@ -1628,7 +1755,7 @@ def joint_displacements(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # limb1: geometry
-        t1 = 0.5235987755982989 + limb1_U_q_1
+        t1 = limb_lower_phase + limb1_U_q_1
         limb1_lower_sin = np.sin(t1)
         # limb5_S: geometry
         t2 = limb5_S_q_qw * limb5_S_q_qw
@@ -1654,7 +1781,10 @@ def joint_displacements(*arguments):
         t21 = limb5_S_q_qw * (limb5_S_q_qx * t10)
         platform_turn_zy = t19 + t21
         minus_limb1_U2_constraint_mn_couple_z = t15 - limb1_lower_cos * (t18 - limb1_U_0_cos * platform_turn_zy)
-        limb1_U2_displacements_0 = np.arctan2(minus_limb1_U2_constraint_mn_couple_z, limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy)
+        limb1_U2_displacements_0 = (
+            np.arctan2(minus_limb1_U2_constraint_mn_couple_z, limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin *
+            platform_turn_zy)
+        )
         platform_turn_xx = 1.0 - t7 * t10
         t28 = limb1_lower_cos * platform_turn_xx  # limb1
         platform_turn_yx = t12 + t14
@@ -1675,55 +1805,55 @@ def joint_displacements(*arguments):
         t39 = t3 + t5  # limb5_S
         platform_turn_zz = 1.0 - t10 * t39
         t42 = t38 - platform_turn_zz * minus_limb1_lower_rotation_zy
-        t45 = -(t35 + 0.8660254037844386 * t42)
-        t49 = np.arctan2(t45, 0.8660254037844386 * t34 - 0.5 * t42)
+        t45 = -(t35 + k1 * t42)
+        t49 = np.arctan2(t45, k1 * t34 - 0.5 * t42)
         limb1_U2_displacements_1 = -t49
-        t50 = 2.6179938779914944 + limb2_U_q_1  # limb2
+        t50 = limb_lower_phase_2 + limb2_U_q_1  # limb2
         limb2_lower_cos = np.cos(t50)
         limb2_U_0_sin = np.cos(limb2_U_q_0)
         t51 = 0.5 * platform_turn_zy  # platform
-        t52 = 0.8660254037844386 * platform_turn_zz  # platform
+        t52 = k1 * platform_turn_zz  # platform
         t53 = t51 + t52  # platform
         t54 = limb2_U_0_sin * t53  # limb2
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
         t55 = 0.5 * platform_turn_xy  # platform
-        t56 = 0.8660254037844386 * platform_turn_xz  # platform
+        t56 = k1 * platform_turn_xz  # platform
         t57 = t55 + t56  # platform
         # limb2: results; geometry
         t59 = t54 + minus_limb2_U_0_cos * t57
         t60 = limb2_lower_cos * t59
         limb2_lower_sin = np.sin(t50)
         t61 = 0.5 * platform_turn_yy  # platform
-        t62 = 0.8660254037844386 * platform_turn_yz  # platform
+        t62 = k1 * platform_turn_yz  # platform
         t63 = t61 + t62  # platform
         t65 = t60 - limb2_lower_sin * t63
-        t66 = 0.8660254037844386 * t65
+        t66 = k1 * t65
         t69 = limb2_lower_sin * t59 + limb2_lower_cos * t63
         t71 = t66 - 0.5 * t69
-        t72 = 0.8660254037844386 * t71
+        t72 = k1 * t71
         # platform: results
         t73 = 0.5 * platform_turn_zz
-        t74 = 0.8660254037844386 * platform_turn_zy
+        t74 = k1 * platform_turn_zy
         t75 = t73 - t74
         t76 = limb2_U_0_sin * t75  # limb2
         t77 = 0.5 * platform_turn_xz
-        t78 = 0.8660254037844386 * platform_turn_xy
+        t78 = k1 * platform_turn_xy
         t79 = t77 - t78
         # limb2: results
         t81 = t76 + minus_limb2_U_0_cos * t79
         t82 = limb2_lower_cos * t81
         t83 = 0.5 * platform_turn_yz  # platform
-        t84 = 0.8660254037844386 * platform_turn_yy  # platform
+        t84 = k1 * platform_turn_yy  # platform
         t85 = t83 - t84  # platform
         t87 = t82 - limb2_lower_sin * t85
-        t88 = 0.8660254037844386 * t87
+        t88 = k1 * t87
         t91 = limb2_lower_sin * t81 + limb2_lower_cos * t85
         t93 = t88 - 0.5 * t91
         t95 = t72 + 0.5 * t93
-        t98 = 0.5 * t65 + 0.8660254037844386 * t69
+        t98 = 0.5 * t65 + k1 * t69
         t99 = 0.5 * t98
-        t102 = 0.5 * t87 + 0.8660254037844386 * t91
-        t104 = t99 - 0.8660254037844386 * t102
+        t102 = 0.5 * t87 + k1 * t91
+        t104 = t99 - k1 * t102
         t107 = minus_limb2_U_0_cos * platform_turn_zx - limb2_U_0_sin * platform_turn_xx
         t111 = -(t95 + (t104 - (1.0 - t107)))
         t116 = t95 + (t104 + (t107 + (1.0 - 2.0 * t107)))
@@ -1736,19 +1866,19 @@ def joint_displacements(*arguments):
         t131 = np.where(t125 < t130, 1.0, 0.0)
         t134 = limb2_U_0_sin * platform_turn_zx + minus_limb2_U_0_cos * platform_turn_xx
         t137 = limb2_lower_cos * t134 - limb2_lower_sin * platform_turn_yx
-        t138 = 0.8660254037844386 * t137
+        t138 = k1 * t137
         t141 = limb2_lower_sin * t134 + limb2_lower_cos * platform_turn_yx
         t143 = t138 - 0.5 * t141
         t146 = minus_limb2_U_0_cos * t53 - limb2_U_0_sin * t57
-        t147 = 0.8660254037844386 * t146
+        t147 = k1 * t146
         t150 = minus_limb2_U_0_cos * t75 - limb2_U_0_sin * t79
         t152 = t147 + 0.5 * t150
         t154 = -(t143 + t152)
-        t157 = 0.5 * t137 + 0.8660254037844386 * t141
-        t160 = 0.5 * t146 - 0.8660254037844386 * t150
+        t157 = 0.5 * t137 + k1 * t141
+        t160 = 0.5 * t146 - k1 * t150
         t162 = -(t157 + t160)
-        t165 = 0.8660254037844386 * t98 + 0.5 * t102
-        t168 = 0.5 * t71 - 0.8660254037844386 * t93
+        t165 = k1 * t98 + 0.5 * t102
+        t168 = 0.5 * t71 - k1 * t93
         t169 = t165 - t168
         t172 = np.where(t131 != 0.0, t154, np.where(t124 != 0.0, t162, np.where(t117 != 0.0, t116, t169)))
         t176 = 1.0 / (2.0 * np.sqrt(np.where(t131 != 0.0, t130, t125)))
@@ -1770,7 +1900,7 @@ def joint_displacements(*arguments):
         limb2_S_displacements_y = t192 * t209
         limb2_S_displacements_z = t198 * t209
         # limb3: geometry
-        t210 = 0.5235987755982989 - limb3_U_q_1
+        t210 = limb_lower_phase - limb3_U_q_1
         limb3_lower_cos = np.cos(t210)
         limb3_U_0_sin = np.sin(limb3_U_q_0)
         t212 = 0.5 * platform_turn_yx - t62  # platform
@@ -1783,26 +1913,26 @@ def joint_displacements(*arguments):
         minus_limb3_lower_sin = np.sin(t210)
         t220 = 0.5 * platform_turn_xx - t56  # platform
         t222 = t218 + minus_limb3_lower_sin * t220
-        t223 = 0.8660254037844386 * t222
+        t223 = k1 * t222
         t226 = minus_limb3_lower_sin * t217 - limb3_lower_cos * t220
         t228 = t223 + 0.5 * t226
-        t229 = 0.8660254037844386 * t228
-        t231 = 0.8660254037844386 * platform_turn_yx + t83  # platform
+        t229 = k1 * t228
+        t231 = k1 * platform_turn_yx + t83  # platform
         t232 = limb3_U_0_sin * t231
-        t234 = 0.8660254037844386 * platform_turn_zx + t73  # platform
+        t234 = k1 * platform_turn_zx + t73  # platform
         t236 = t232 - limb3_U_0_cos * t234
         t237 = limb3_lower_cos * t236
-        t239 = 0.8660254037844386 * platform_turn_xx + t77  # platform
+        t239 = k1 * platform_turn_xx + t77  # platform
         t241 = t237 + minus_limb3_lower_sin * t239
-        t242 = 0.8660254037844386 * t241
+        t242 = k1 * t241
         t245 = minus_limb3_lower_sin * t236 - limb3_lower_cos * t239
         t247 = t242 + 0.5 * t245
         t249 = t229 - 0.5 * t247
         t252 = limb3_U_0_cos * platform_turn_yy + limb3_U_0_sin * platform_turn_zy
-        t255 = 0.5 * t222 - 0.8660254037844386 * t226
+        t255 = 0.5 * t222 - k1 * t226
         t256 = 0.5 * t255
-        t259 = 0.5 * t241 - 0.8660254037844386 * t245
-        t261 = t256 + 0.8660254037844386 * t259
+        t259 = 0.5 * t241 - k1 * t245
+        t261 = t256 + k1 * t259
         t264 = t249 + (t252 + (1.0 + t261))
         t270 = -(t249 + (t252 + (t261 - (1.0 + 2.0 * t261))))
         t271 = np.where(t264 < t270, 1.0, 0.0)
@@ -1812,21 +1942,21 @@ def joint_displacements(*arguments):
         t280 = np.where(t279 != 0.0, t278, t272)
         t286 = -(t249 + (t252 + (t261 - (1.0 + 2.0 * t249))))
         t287 = np.where(t280 < t286, 1.0, 0.0)
-        t290 = 0.8660254037844386 * t255 - 0.5 * t259
-        t293 = 0.5 * t228 + 0.8660254037844386 * t247
+        t290 = k1 * t255 - 0.5 * t259
+        t293 = 0.5 * t228 + k1 * t247
         t295 = -(t290 + t293)
         t298 = limb3_U_0_sin * platform_turn_yy - limb3_U_0_cos * platform_turn_zy
         t301 = limb3_lower_cos * t298 + minus_limb3_lower_sin * platform_turn_xy
         t302 = 0.5 * t301
         t305 = minus_limb3_lower_sin * t298 - limb3_lower_cos * platform_turn_xy
-        t307 = t302 - 0.8660254037844386 * t305
+        t307 = t302 - k1 * t305
         t310 = limb3_U_0_cos * t212 + limb3_U_0_sin * t215
         t311 = 0.5 * t310
         t314 = limb3_U_0_cos * t231 + limb3_U_0_sin * t234
-        t316 = t311 + 0.8660254037844386 * t314
+        t316 = t311 + k1 * t314
         t317 = t307 + t316
-        t320 = 0.8660254037844386 * t310 - 0.5 * t314
-        t323 = 0.8660254037844386 * t301 + 0.5 * t305
+        t320 = k1 * t310 - 0.5 * t314
+        t323 = k1 * t301 + 0.5 * t305
         t324 = t320 - t323
         t327 = np.where(t287 != 0.0, t295, np.where(t279 != 0.0, t317, np.where(t271 != 0.0, t270, t324)))
         t331 = 1.0 / (2.0 * np.sqrt(np.where(t287 != 0.0, t286, t280)))
@@ -1848,7 +1978,7 @@ def joint_displacements(*arguments):
         limb3_S_displacements_y = t347 * t364
         limb3_S_displacements_z = t353 * t364
         # limb4: geometry
-        t365 = 2.6179938779914944 - limb4_U_q_1
+        t365 = limb_lower_phase_2 - limb4_U_q_1
         limb4_lower_cos = np.cos(t365)
         limb4_U_0_sin = np.cos(limb4_U_q_0)
         t366 = t51 - t52  # platform
@@ -1861,10 +1991,10 @@ def joint_displacements(*arguments):
         minus_limb4_lower_sin = np.sin(t365)
         t372 = t61 - t62  # platform
         t374 = t371 + minus_limb4_lower_sin * t372
-        t375 = 0.8660254037844386 * t374
+        t375 = k1 * t374
         t378 = minus_limb4_lower_sin * t370 - limb4_lower_cos * t372
         t380 = t375 - 0.5 * t378
-        t381 = 0.8660254037844386 * t380
+        t381 = k1 * t380
         t382 = t73 + t74  # platform
         t383 = limb4_U_0_sin * t382
         t384 = t77 + t78  # platform
@@ -1872,14 +2002,14 @@ def joint_displacements(*arguments):
         t387 = limb4_lower_cos * t386
         t388 = t83 + t84  # platform
         t390 = t387 + minus_limb4_lower_sin * t388
-        t391 = 0.8660254037844386 * t390
+        t391 = k1 * t390
         t394 = minus_limb4_lower_sin * t386 - limb4_lower_cos * t388
         t396 = t391 - 0.5 * t394
         t398 = t381 - 0.5 * t396
-        t401 = 0.5 * t374 + 0.8660254037844386 * t378
+        t401 = 0.5 * t374 + k1 * t378
         t402 = 0.5 * t401
-        t405 = 0.5 * t390 + 0.8660254037844386 * t394
-        t407 = t402 + 0.8660254037844386 * t405
+        t405 = 0.5 * t390 + k1 * t394
+        t407 = t402 + k1 * t405
         t410 = minus_limb4_U_0_cos * platform_turn_zx - limb4_U_0_sin * platform_turn_xx
         t413 = t398 + (t407 + (1.0 - t410))
         t419 = -(t398 + (t407 - (t410 + (1.0 - 2.0 * t410))))
@@ -1891,20 +2021,20 @@ def joint_displacements(*arguments):
         t435 = -(t398 + (t407 - (t410 + (1.0 + 2.0 * t398))))
         t436 = np.where(t429 < t435, 1.0, 0.0)
         t439 = minus_limb4_U_0_cos * t366 - limb4_U_0_sin * t368
-        t440 = 0.8660254037844386 * t439
+        t440 = k1 * t439
         t443 = minus_limb4_U_0_cos * t382 - limb4_U_0_sin * t384
         t445 = t440 - 0.5 * t443
         t448 = limb4_U_0_sin * platform_turn_zx + minus_limb4_U_0_cos * platform_turn_xx
         t451 = limb4_lower_cos * t448 + minus_limb4_lower_sin * platform_turn_yx
-        t452 = 0.8660254037844386 * t451
+        t452 = k1 * t451
         t455 = minus_limb4_lower_sin * t448 - limb4_lower_cos * platform_turn_yx
         t457 = t452 - 0.5 * t455
         t458 = t445 - t457
-        t461 = 0.5 * t451 + 0.8660254037844386 * t455
-        t464 = 0.5 * t439 + 0.8660254037844386 * t443
+        t461 = 0.5 * t451 + k1 * t455
+        t464 = 0.5 * t439 + k1 * t443
         t465 = t461 - t464
-        t468 = 0.8660254037844386 * t401 - 0.5 * t405
-        t471 = 0.5 * t380 + 0.8660254037844386 * t396
+        t468 = k1 * t401 - 0.5 * t405
+        t471 = 0.5 * t380 + k1 * t396
         t472 = t468 - t471
         t475 = np.where(t436 != 0.0, t458, np.where(t428 != 0.0, t465, np.where(t420 != 0.0, t419, t472)))
         t479 = 1.0 / (2.0 * np.sqrt(np.where(t436 != 0.0, t435, t429)))
@@ -1929,24 +2059,29 @@ def joint_displacements(*arguments):
         t514 = np.where(np.where(limb5_S_q_qw < 0.0, 1.0, 0.0) != 0.0, (-1.0), 1.0)
         t516 = np.sqrt(t6 + t39)
         t517 = np.where(t516 < 1.0e-08, 1.0, 0.0)
-        t523 = np.where(t517 != 0.0, 2.0, 2.0 * np.arctan2(t516, limb5_S_q_qw * t514) / np.where(t517 != 0.0, 1.0, t516))
+        t523 = (
+            np.where(t517 != 0.0, 2.0, 2.0 * np.arctan2(t516, limb5_S_q_qw * t514) / np.where(t517 != 0.0, 1.0,
+            t516))
+        )
         t524 = t514 * t523
         limb5_S_displacements_x = limb5_S_q_qx * t524
         limb5_S_displacements_y = limb5_S_q_qy * t524
         limb5_S_displacements_z = limb5_S_q_qz * t524
+        guards = ()
         return _finish(batch, ((limb1_U_q_0, limb1_U_q_1, limb1_P_q, limb1_U2_displacements_0,
             limb1_U2_displacements_1, limb2_U_q_0, limb2_U_q_1, limb2_P_q, limb2_S_displacements_x,
             limb2_S_displacements_y, limb2_S_displacements_z, limb3_U_q_0, limb3_U_q_1, limb3_P_q,
             limb3_S_displacements_x, limb3_S_displacements_y, limb3_S_displacements_z, limb4_U_q_0,
             limb4_U_q_1, limb4_P_q, limb4_S_displacements_x, limb4_S_displacements_y,
             limb4_S_displacements_z, limb5_S_displacements_x, limb5_S_displacements_y,
-            limb5_S_displacements_z),), (), (limb1_U2_displacements_0, t49, limb2_S_displacements_x,
-            limb2_S_displacements_y, limb2_S_displacements_z, limb3_S_displacements_x,
-            limb3_S_displacements_y, limb3_S_displacements_z, limb4_S_displacements_x,
-            limb4_S_displacements_y, limb4_S_displacements_z, limb5_S_displacements_x,
-            limb5_S_displacements_y, limb5_S_displacements_z, limb1_U_q_0, limb1_U_q_1, limb1_P_q,
-            limb2_U_q_0, limb2_U_q_1, limb2_P_q, limb3_U_q_0, limb3_U_q_1, limb3_P_q, limb4_U_q_0,
-            limb4_U_q_1, limb4_P_q, limb5_S_q_qw), ((t8, 0.999999, 1.000001, 5),))
+            limb5_S_displacements_z),), guards, (limb1_U2_displacements_0, t49,
+            limb2_S_displacements_x, limb2_S_displacements_y, limb2_S_displacements_z,
+            limb3_S_displacements_x, limb3_S_displacements_y, limb3_S_displacements_z,
+            limb4_S_displacements_x, limb4_S_displacements_y, limb4_S_displacements_z,
+            limb5_S_displacements_x, limb5_S_displacements_y, limb5_S_displacements_z, limb1_U_q_0,
+            limb1_U_q_1, limb1_P_q, limb2_U_q_0, limb2_U_q_1, limb2_P_q, limb3_U_q_0, limb3_U_q_1,
+            limb3_P_q, limb4_U_q_0, limb4_U_q_1, limb4_P_q, limb5_S_q_qw), ((t8, 0.999999, 1.000001,
+            5),))
 
 
 def joint_rates(*arguments):
@@ -1988,7 +2123,7 @@ def joint_rates(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # limb1: geometry
-        t1 = 0.5235987755982989 + limb1_U_q_1
+        t1 = limb_lower_phase + limb1_U_q_1
         limb1_lower_cos = np.cos(t1)
         # limb5_S: geometry
         t2 = limb5_S_q_qw * limb5_S_q_qw
@@ -2046,32 +2181,32 @@ def joint_rates(*arguments):
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
         t66 = platform_twist_wz + limb2_U_v_1 * minus_limb2_U_0_cos
         limb2_S_rates_x = t65 - minus_limb2_U_0_cos * t66
-        t68 = 2.6179938779914944 + limb2_U_q_1
+        t68 = limb_lower_phase_2 + limb2_U_q_1
         limb2_lower_cos = np.cos(t68)
         minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos
         # limb2: results; geometry
         t69 = 0.5 * minus_limb2_lower_rotation_xx
         limb2_lower_sin = np.sin(t68)
         limb2_lower_rotation_xy = minus_limb2_U_0_cos * limb2_lower_sin
-        t72 = (t69 + 0.8660254037844386 * limb2_lower_rotation_xy) * t64
-        t75 = 0.5 * limb2_lower_sin - 0.8660254037844386 * limb2_lower_cos
+        t72 = (t69 + k1 * limb2_lower_rotation_xy) * t64
+        t75 = 0.5 * limb2_lower_sin - k1 * limb2_lower_cos
         t76 = limb2_U_v_0 - platform_twist_wy
         t78 = t72 + t75 * t76
         minus_limb2_lower_rotation_zx = limb2_U_0_sin * limb2_lower_cos
         t79 = 0.5 * minus_limb2_lower_rotation_zx
         limb2_lower_rotation_zy = limb2_U_0_sin * limb2_lower_sin
-        t83 = t78 + (t79 + 0.8660254037844386 * limb2_lower_rotation_zy) * t66
+        t83 = t78 + (t79 + k1 * limb2_lower_rotation_zy) * t66
         limb2_S_rates_y = -t83
-        t87 = (0.8660254037844386 * minus_limb2_lower_rotation_xx - 0.5 * limb2_lower_rotation_xy) * t64
-        t92 = t87 + (0.8660254037844386 * limb2_lower_sin + 0.5 * limb2_lower_cos) * t76
-        t97 = t92 + (0.8660254037844386 * minus_limb2_lower_rotation_zx - 0.5 * limb2_lower_rotation_zy) * t66
+        t87 = (k1 * minus_limb2_lower_rotation_xx - 0.5 * limb2_lower_rotation_xy) * t64
+        t92 = t87 + (k1 * limb2_lower_sin + 0.5 * limb2_lower_cos) * t76
+        t97 = t92 + (k1 * minus_limb2_lower_rotation_zx - 0.5 * limb2_lower_rotation_zy) * t66
         limb2_S_rates_z = -t97
         # limb3: geometry; results
-        t98 = 0.5235987755982989 - limb3_U_q_1
+        t98 = limb_lower_phase - limb3_U_q_1
         minus_limb3_lower_sin = np.sin(t98)
         t99 = 0.5 * minus_limb3_lower_sin
         limb3_lower_cos = np.cos(t98)
-        t101 = t99 + 0.8660254037844386 * limb3_lower_cos
+        t101 = t99 + k1 * limb3_lower_cos
         t102 = limb3_U_v_0 - platform_twist_wx
         t103 = t101 * t102
         limb3_U_0_sin = np.sin(limb3_U_q_0)
@@ -2079,22 +2214,21 @@ def joint_rates(*arguments):
         # limb3: results; geometry
         t104 = 0.5 * minus_limb3_lower_rotation_yx
         minus_limb3_lower_rotation_yy = limb3_U_0_sin * minus_limb3_lower_sin
-        t106 = t104 - 0.8660254037844386 * minus_limb3_lower_rotation_yy
+        t106 = t104 - k1 * minus_limb3_lower_rotation_yy
         limb3_U_0_cos = np.cos(limb3_U_q_0)
         t107 = platform_twist_wy - limb3_U_v_1 * limb3_U_0_cos
         t109 = t103 - t106 * t107
         limb3_lower_rotation_zx = limb3_U_0_cos * limb3_lower_cos
         t110 = 0.5 * limb3_lower_rotation_zx
         limb3_lower_rotation_zy = limb3_U_0_cos * minus_limb3_lower_sin
-        t112 = t110 - 0.8660254037844386 * limb3_lower_rotation_zy
+        t112 = t110 - k1 * limb3_lower_rotation_zy
         t113 = platform_twist_wz - limb3_U_v_1 * limb3_U_0_sin
         t115 = t109 + t112 * t113
         limb3_S_rates_x = -t115
         limb3_S_rates_y = limb3_U_0_cos * t107 + limb3_U_0_sin * t113
-        t121 = (0.8660254037844386 * minus_limb3_lower_sin - 0.5 * limb3_lower_cos) * t102
-        t125 = (0.8660254037844386 * minus_limb3_lower_rotation_yx + 0.5 * minus_limb3_lower_rotation_yy) * t107
-        t126 = t121 - t125
-        limb3_S_rates_z = t126 + (0.8660254037844386 * limb3_lower_rotation_zx + 0.5 * limb3_lower_rotation_zy) * t113
+        t121 = (k1 * minus_limb3_lower_sin - 0.5 * limb3_lower_cos) * t102
+        t126 = t121 - (k1 * minus_limb3_lower_rotation_yx + 0.5 * minus_limb3_lower_rotation_yy) * t107
+        limb3_S_rates_z = t126 + (k1 * limb3_lower_rotation_zx + 0.5 * limb3_lower_rotation_zy) * t113
         # limb4: geometry; results
         limb4_U_0_sin = np.cos(limb4_U_q_0)
         t131 = platform_twist_wx - limb4_U_v_1 * limb4_U_0_sin
@@ -2102,34 +2236,34 @@ def joint_rates(*arguments):
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
         t133 = platform_twist_wz + limb4_U_v_1 * minus_limb4_U_0_cos
         limb4_S_rates_x = t132 - minus_limb4_U_0_cos * t133
-        t135 = 2.6179938779914944 - limb4_U_q_1
+        t135 = limb_lower_phase_2 - limb4_U_q_1
         limb4_lower_cos = np.cos(t135)
         minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos
         # limb4: results; geometry
         t136 = 0.5 * minus_limb4_lower_rotation_xx
         minus_limb4_lower_sin = np.sin(t135)
         minus_limb4_lower_rotation_xy = minus_limb4_U_0_cos * minus_limb4_lower_sin
-        t139 = (t136 + 0.8660254037844386 * minus_limb4_lower_rotation_xy) * t131
-        t142 = 0.5 * minus_limb4_lower_sin - 0.8660254037844386 * limb4_lower_cos
+        t139 = (t136 + k1 * minus_limb4_lower_rotation_xy) * t131
+        t142 = 0.5 * minus_limb4_lower_sin - k1 * limb4_lower_cos
         t143 = limb4_U_v_0 - platform_twist_wy
         t145 = t139 - t142 * t143
         minus_limb4_lower_rotation_zx = limb4_U_0_sin * limb4_lower_cos
         t146 = 0.5 * minus_limb4_lower_rotation_zx
         minus_limb4_lower_rotation_zy = limb4_U_0_sin * minus_limb4_lower_sin
-        limb4_S_rates_y = t145 + (t146 + 0.8660254037844386 * minus_limb4_lower_rotation_zy) * t133
-        t153 = (0.8660254037844386 * minus_limb4_lower_rotation_xx - 0.5 * minus_limb4_lower_rotation_xy) * t131
-        t158 = t153 - (0.8660254037844386 * minus_limb4_lower_sin + 0.5 * limb4_lower_cos) * t143
-        t162 = (0.8660254037844386 * minus_limb4_lower_rotation_zx - 0.5 * minus_limb4_lower_rotation_zy) * t133
-        t163 = t158 + t162
+        limb4_S_rates_y = t145 + (t146 + k1 * minus_limb4_lower_rotation_zy) * t133
+        t153 = (k1 * minus_limb4_lower_rotation_xx - 0.5 * minus_limb4_lower_rotation_xy) * t131
+        t158 = t153 - (k1 * minus_limb4_lower_sin + 0.5 * limb4_lower_cos) * t143
+        t163 = t158 + (k1 * minus_limb4_lower_rotation_zx - 0.5 * minus_limb4_lower_rotation_zy) * t133
         limb4_S_rates_z = -t163
+        guards = ()
         return _finish(batch, ((limb1_U_v_0, limb1_U_v_1, limb1_P_v, limb1_U2_rates_0,
             limb1_U2_rates_1, limb2_U_v_0, limb2_U_v_1, limb2_P_v, limb2_S_rates_x, limb2_S_rates_y,
             limb2_S_rates_z, limb3_U_v_0, limb3_U_v_1, limb3_P_v, limb3_S_rates_x, limb3_S_rates_y,
             limb3_S_rates_z, limb4_U_v_0, limb4_U_v_1, limb4_P_v, limb4_S_rates_x, limb4_S_rates_y,
-            limb4_S_rates_z, platform_twist_wx, platform_twist_wy, platform_twist_wz),), (), (t60,
-            t63, limb2_S_rates_x, t83, t97, t115, limb3_S_rates_y, limb3_S_rates_z, limb4_S_rates_x,
-            limb4_S_rates_y, t163, limb1_P_q, limb2_P_q, limb3_P_q, limb4_P_q, limb1_P_v, limb2_P_v,
-            limb3_P_v, limb4_P_v), ((t8, 0.999999, 1.000001, 5),))
+            limb4_S_rates_z, platform_twist_wx, platform_twist_wy, platform_twist_wz),), guards,
+            (t60, t63, limb2_S_rates_x, t83, t97, t115, limb3_S_rates_y, limb3_S_rates_z,
+            limb4_S_rates_x, limb4_S_rates_y, t163, limb1_P_q, limb2_P_q, limb3_P_q, limb4_P_q,
+            limb1_P_v, limb2_P_v, limb3_P_v, limb4_P_v), ((t8, 0.999999, 1.000001, 5),))
 
 
 def drive_rates(*arguments):
@@ -2162,7 +2296,8 @@ def drive_rates(*arguments):
         limb5_S_v_wx, limb5_S_v_wy, limb5_S_v_wz,
     ) = entries
     with np.errstate(all="ignore"):
-        return _finish(batch, ((limb1_P_v, limb2_P_v, limb3_P_v, limb4_P_v),), (), (limb1_U_q_0,
+        guards = ()
+        return _finish(batch, ((limb1_P_v, limb2_P_v, limb3_P_v, limb4_P_v),), guards, (limb1_U_q_0,
             limb1_U_q_1, limb1_P_q, limb2_U_q_0, limb2_U_q_1, limb2_P_q, limb3_U_q_0, limb3_U_q_1,
             limb3_P_q, limb4_U_q_0, limb4_U_q_1, limb4_P_q, limb5_S_q_qw, limb5_S_q_qx,
             limb5_S_q_qy, limb5_S_q_qz, limb1_U_v_0, limb1_U_v_1, limb1_P_v, limb2_U_v_0,
@@ -2199,10 +2334,10 @@ def closure(*arguments):
     with np.errstate(all="ignore"):
         # limb1: geometry
         limb1_U_0_cos = np.cos(limb1_U_q_0)
-        t1 = 0.5235987755982989 + limb1_U_q_1
+        t1 = limb_lower_phase + limb1_U_q_1
         limb1_lower_cos = np.cos(t1)
         limb1_lower_rotation_zx = limb1_U_0_cos * limb1_lower_cos
-        limb1_upper_offset_x = 0.3 + limb1_P_q
+        limb1_upper_offset_x = limb_upper_phase + limb1_P_q
         limb1_upper_position_z = limb1_upper_offset_x * limb1_lower_rotation_zx
         # limb5_S: geometry
         t2 = limb5_S_q_qw * limb5_S_q_qw
@@ -2218,14 +2353,14 @@ def closure(*arguments):
         t13 = limb5_S_q_qy * t10
         t14 = limb5_S_q_qw * t13
         t15 = 0.5 * (t12 - t14)
-        t18 = 0.5196152422706631 * (1.0 - t10 * (t3 + t5))
+        t18 = param_H * (1.0 - t10 * (t3 + t5))
         # limb1: loop closure; geometry
         t19 = limb1_upper_position_z + (t15 - t18)
         t20 = limb1_lower_rotation_zx * t19
         limb1_lower_sin = np.sin(t1)
-        minus_limb1_upper_position_x = 0.8 - limb1_lower_sin * limb1_upper_offset_x
+        minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x
         t22 = 0.5 * (1.0 - t7 * t10)  # platform
-        t23 = 0.5196152422706631 * (t12 + t14)  # platform
+        t23 = param_H * (t12 + t14)  # platform
         t24 = minus_limb1_upper_position_x - (t22 - t23)
         t25 = limb1_lower_sin * t24
         limb1_U_0_sin = np.sin(limb1_U_q_0)
@@ -2236,7 +2371,7 @@ def closure(*arguments):
         t28 = 0.5 * (t26 + t27)  # platform
         t29 = limb5_S_q_qy * t11  # limb5_S
         t31 = limb5_S_q_qw * (limb5_S_q_qx * t10)  # limb5_S
-        t32 = 0.5196152422706631 * (t29 - t31)  # platform
+        t32 = param_H * (t29 - t31)  # platform
         t33 = minus_limb1_upper_position_y - (t28 - t32)
         limb1_U2_opening_fx = t20 - (t25 - minus_limb1_lower_rotation_yx * t33)
         t38 = limb1_lower_cos * t24 + limb1_U_0_sin * limb1_lower_sin * t33
@@ -2251,16 +2386,16 @@ def closure(*arguments):
         limb1_U2_opening_mn = t47 + limb1_lower_cos * platform_turn_xy
         # limb2: geometry; loop closure
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
-        t49 = 2.6179938779914944 + limb2_U_q_1
+        t49 = limb_lower_phase_2 + limb2_U_q_1
         limb2_lower_cos = np.cos(t49)
         minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos
-        limb2_upper_offset_x = 0.3 + limb2_P_q
+        limb2_upper_offset_x = limb_upper_phase + limb2_P_q
         minus_limb2_upper_position_x = limb2_upper_offset_x * minus_limb2_lower_rotation_xx
         t50 = 0.5 * platform_turn_xy  # platform
         t51 = minus_limb2_upper_position_x + (t23 - t50)
         t52 = minus_limb2_lower_rotation_xx * t51
         limb2_lower_sin = np.sin(t49)
-        minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
+        minus_limb2_upper_position_y = param_R - limb2_lower_sin * limb2_upper_offset_x
         t53 = 0.5 * platform_turn_yy  # platform
         # limb2: loop closure; geometry
         t54 = minus_limb2_upper_position_y + (t32 - t53)
@@ -2277,15 +2412,15 @@ def closure(*arguments):
         limb2_S_opening_fz = minus_limb2_U_0_cos * t58 - limb2_U_0_sin * t51
         # limb3: geometry
         limb3_U_0_cos = np.cos(limb3_U_q_0)
-        t66 = 0.5235987755982989 - limb3_U_q_1
+        t66 = limb_lower_phase - limb3_U_q_1
         limb3_lower_cos = np.cos(t66)
         limb3_lower_rotation_zx = limb3_U_0_cos * limb3_lower_cos
-        limb3_upper_offset_x = 0.3 + limb3_P_q
+        limb3_upper_offset_x = limb_upper_phase + limb3_P_q
         # limb3: loop closure; geometry
         t67 = limb3_upper_offset_x * limb3_lower_rotation_zx - (t15 + t18)
         t68 = limb3_lower_rotation_zx * t67
         minus_limb3_lower_sin = np.sin(t66)
-        t69 = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x - (t22 + t23)
+        t69 = param_R - minus_limb3_lower_sin * limb3_upper_offset_x - (t22 + t23)
         t70 = minus_limb3_lower_sin * t69
         limb3_U_0_sin = np.sin(limb3_U_q_0)
         minus_limb3_lower_rotation_yx = limb3_U_0_sin * limb3_lower_cos
@@ -2296,15 +2431,15 @@ def closure(*arguments):
         limb3_S_opening_fz = limb3_U_0_sin * t67 - limb3_U_0_cos * t71
         # limb4: geometry
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
-        t80 = 2.6179938779914944 - limb4_U_q_1
+        t80 = limb_lower_phase_2 - limb4_U_q_1
         limb4_lower_cos = np.cos(t80)
         minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos
-        limb4_upper_offset_x = 0.3 + limb4_P_q
+        limb4_upper_offset_x = limb_upper_phase + limb4_P_q
         # limb4: loop closure; geometry
         t81 = limb4_upper_offset_x * minus_limb4_lower_rotation_xx + (t23 + t50)
         t82 = minus_limb4_lower_rotation_xx * t81
         minus_limb4_lower_sin = np.sin(t80)
-        t83 = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x - (t32 + t53)
+        t83 = param_R - minus_limb4_lower_sin * limb4_upper_offset_x - (t32 + t53)
         t85 = t82 - minus_limb4_lower_sin * t83
         limb4_U_0_sin = np.cos(limb4_U_q_0)
         minus_limb4_lower_rotation_zx = limb4_U_0_sin * limb4_lower_cos
@@ -2313,10 +2448,11 @@ def closure(*arguments):
         t90 = minus_limb4_U_0_cos * minus_limb4_lower_sin * t81 + limb4_lower_cos * t83
         limb4_S_opening_fy = t90 + limb4_U_0_sin * minus_limb4_lower_sin * t86
         limb4_S_opening_fz = minus_limb4_U_0_cos * t86 - limb4_U_0_sin * t81
+        guards = ()
         return _finish(batch, ((limb1_U2_opening_fx, limb1_U2_opening_fy, limb1_U2_opening_fz,
             limb1_U2_opening_mn, limb2_S_opening_fx, limb2_S_opening_fy, limb2_S_opening_fz,
             limb3_S_opening_fx, limb3_S_opening_fy, limb3_S_opening_fz, limb4_S_opening_fx,
-            limb4_S_opening_fy, limb4_S_opening_fz),), (), (limb1_U2_opening_fx,
+            limb4_S_opening_fy, limb4_S_opening_fz),), guards, (limb1_U2_opening_fx,
             minus_limb1_U2_opening_fy, limb1_U2_opening_fz, limb1_U2_opening_mn, limb2_S_opening_fx,
             minus_limb2_S_opening_fy, limb2_S_opening_fz, limb3_S_opening_fx, limb3_S_opening_fy,
             limb3_S_opening_fz, limb4_S_opening_fx, limb4_S_opening_fy, limb4_S_opening_fz), ((t8,
@@ -2349,9 +2485,9 @@ def closure_jacobian(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # limb1: geometry; reciprocal wrenches, eq. (10)
-        t1 = 0.5235987755982989 + limb1_U_q_1
+        t1 = limb_lower_phase + limb1_U_q_1
         limb1_lower_cos = np.cos(t1)
-        limb1_upper_offset_x = 0.3 + limb1_P_q
+        limb1_upper_offset_x = limb_upper_phase + limb1_P_q
         minus_limb1_U_0_lever_mz_by_limb1_U2_fz = limb1_lower_cos * limb1_upper_offset_x
         limb1_U_0_lever_mz_by_limb1_U2_fz = -minus_limb1_U_0_lever_mz_by_limb1_U2_fz
         limb1_lower_sin = np.sin(t1)
@@ -2380,38 +2516,42 @@ def closure_jacobian(*arguments):
         t25 = limb5_S_q_qw * t14
         platform_turn_xy = t24 - t25
         limb1_U2_constraint_mn_couple_z = t22 - limb1_lower_sin * platform_turn_xy
-        t27 = 2.6179938779914944 + limb2_U_q_1  # limb2
+        t27 = limb_lower_phase_2 + limb2_U_q_1  # limb2
         limb2_lower_cos = np.cos(t27)
-        limb2_upper_offset_x = 0.3 + limb2_P_q
+        limb2_upper_offset_x = limb_upper_phase + limb2_P_q
         minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x
         limb2_U_0_lever_mz_by_limb2_S_fz = -minus_limb2_U_0_lever_mz_by_limb2_S_fz
-        t28 = 0.5235987755982989 - limb3_U_q_1  # limb3
+        t28 = limb_lower_phase - limb3_U_q_1  # limb3
         limb3_lower_cos = np.cos(t28)
-        limb3_upper_offset_x = 0.3 + limb3_P_q
+        limb3_upper_offset_x = limb_upper_phase + limb3_P_q
         minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x
         limb3_U_0_lever_mz_by_limb3_S_fz = -minus_limb3_U_0_lever_mz_by_limb3_S_fz
-        t29 = 2.6179938779914944 - limb4_U_q_1  # limb4
+        t29 = limb_lower_phase_2 - limb4_U_q_1  # limb4
         limb4_lower_cos = np.cos(t29)
-        limb4_upper_offset_x = 0.3 + limb4_P_q
+        limb4_upper_offset_x = limb_upper_phase + limb4_P_q
         minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x
         limb4_U_0_lever_mz_by_limb4_S_fz = -minus_limb4_U_0_lever_mz_by_limb4_S_fz
         platform_turn_yx = t24 + t25
-        base_lever_my_by_limb1_U2_fx = 0.8 * (limb1_U_0_cos * limb1_lower_cos)
+        base_lever_my_by_limb1_U2_fx = param_R * (limb1_U_0_cos * limb1_lower_cos)
         t30 = platform_turn_yx * base_lever_my_by_limb1_U2_fx
         t31 = limb5_S_q_qx * t14
         t32 = limb5_S_q_qw * t23
         platform_turn_zx = t31 - t32
-        base_lever_mz_by_limb1_U2_fx = 0.8 * (limb1_U_0_sin * limb1_lower_cos)
+        base_lever_mz_by_limb1_U2_fx = param_R * (limb1_U_0_sin * limb1_lower_cos)
         t34 = t30 + platform_turn_zx * base_lever_mz_by_limb1_U2_fx
         jacobian_156 = -t34
-        base_lever_my_by_limb1_U2_fy = limb1_U_0_cos * limb1_upper_offset_x - 0.8 * (limb1_U_0_cos * limb1_lower_sin)
+        base_lever_my_by_limb1_U2_fy = (
+            limb1_U_0_cos * limb1_upper_offset_x - param_R * (limb1_U_0_cos * limb1_lower_sin)
+        )
         t37 = platform_turn_yx * base_lever_my_by_limb1_U2_fy
-        base_lever_mz_by_limb1_U2_fy = limb1_U_0_sin * limb1_upper_offset_x - 0.8 * (limb1_U_0_sin * limb1_lower_sin)
+        base_lever_mz_by_limb1_U2_fy = (
+            limb1_U_0_sin * limb1_upper_offset_x - param_R * (limb1_U_0_sin * limb1_lower_sin)
+        )
         t41 = t37 + platform_turn_zx * base_lever_mz_by_limb1_U2_fy
         jacobian_157 = -t41
         platform_turn_xx = 1.0 - t7 * t10
         t43 = platform_turn_xx * minus_limb1_U_0_lever_mz_by_limb1_U2_fz
-        minus_limb1_upper_position_x = 0.8 - limb1_lower_sin * limb1_upper_offset_x
+        minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x
         base_lever_my_by_limb1_U2_fz = limb1_U_0_sin * minus_limb1_upper_position_x
         t45 = t43 - platform_turn_yx * base_lever_my_by_limb1_U2_fz
         minus_base_lever_mz_by_limb1_U2_fz = limb1_U_0_cos * minus_limb1_upper_position_x
@@ -2426,57 +2566,63 @@ def closure_jacobian(*arguments):
         t54 = t50 + platform_turn_zx * base_lever_mz_by_limb1_U2_mn
         jacobian_159 = -t54
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
-        minus_base_lever_mz_by_limb2_S_fx = 0.8 * (minus_limb2_U_0_cos * limb2_lower_cos)
+        minus_base_lever_mz_by_limb2_S_fx = param_R * (minus_limb2_U_0_cos * limb2_lower_cos)
         t55 = platform_turn_zx * minus_base_lever_mz_by_limb2_S_fx
         limb2_U_0_sin = np.cos(limb2_U_q_0)
-        base_lever_mx_by_limb2_S_fx = 0.8 * (limb2_U_0_sin * limb2_lower_cos)
+        base_lever_mx_by_limb2_S_fx = param_R * (limb2_U_0_sin * limb2_lower_cos)
         jacobian_160 = t55 - platform_turn_xx * base_lever_mx_by_limb2_S_fx
         t57 = minus_limb2_U_0_cos * limb2_upper_offset_x  # limb2
         limb2_lower_sin = np.sin(t27)
-        minus_base_lever_mz_by_limb2_S_fy = t57 - 0.8 * (minus_limb2_U_0_cos * limb2_lower_sin)
+        minus_base_lever_mz_by_limb2_S_fy = t57 - param_R * (minus_limb2_U_0_cos * limb2_lower_sin)
         t59 = platform_turn_zx * minus_base_lever_mz_by_limb2_S_fy
-        base_lever_mx_by_limb2_S_fy = limb2_U_0_sin * limb2_upper_offset_x - 0.8 * (limb2_U_0_sin * limb2_lower_sin)
+        base_lever_mx_by_limb2_S_fy = (
+            limb2_U_0_sin * limb2_upper_offset_x - param_R * (limb2_U_0_sin * limb2_lower_sin)
+        )
         jacobian_161 = t59 - platform_turn_xx * base_lever_mx_by_limb2_S_fy
         t63 = platform_turn_yx * minus_limb2_U_0_lever_mz_by_limb2_S_fz
-        minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
+        minus_limb2_upper_position_y = param_R - limb2_lower_sin * limb2_upper_offset_x
         base_lever_mx_by_limb2_S_fz = minus_limb2_U_0_cos * minus_limb2_upper_position_y
         t65 = t63 - platform_turn_xx * base_lever_mx_by_limb2_S_fz
         base_lever_mz_by_limb2_S_fz = limb2_U_0_sin * minus_limb2_upper_position_y
         jacobian_162 = t65 - platform_turn_zx * base_lever_mz_by_limb2_S_fz
         limb3_U_0_cos = np.cos(limb3_U_q_0)
-        minus_base_lever_my_by_limb3_S_fx = 0.8 * (limb3_U_0_cos * limb3_lower_cos)
+        minus_base_lever_my_by_limb3_S_fx = param_R * (limb3_U_0_cos * limb3_lower_cos)
         t67 = platform_turn_yx * minus_base_lever_my_by_limb3_S_fx
         limb3_U_0_sin = np.sin(limb3_U_q_0)
-        minus_base_lever_mz_by_limb3_S_fx = 0.8 * (limb3_U_0_sin * limb3_lower_cos)
+        minus_base_lever_mz_by_limb3_S_fx = param_R * (limb3_U_0_sin * limb3_lower_cos)
         jacobian_163 = t67 + platform_turn_zx * minus_base_lever_mz_by_limb3_S_fx
         t69 = limb3_U_0_cos * limb3_upper_offset_x  # limb3
         minus_limb3_lower_sin = np.sin(t28)
-        base_lever_my_by_limb3_S_fy = t69 - 0.8 * (limb3_U_0_cos * minus_limb3_lower_sin)
+        base_lever_my_by_limb3_S_fy = t69 - param_R * (limb3_U_0_cos * minus_limb3_lower_sin)
         t71 = platform_turn_yx * base_lever_my_by_limb3_S_fy
-        base_lever_mz_by_limb3_S_fy = limb3_U_0_sin * limb3_upper_offset_x - 0.8 * (limb3_U_0_sin * minus_limb3_lower_sin)
+        base_lever_mz_by_limb3_S_fy = (
+            limb3_U_0_sin * limb3_upper_offset_x - param_R * (limb3_U_0_sin * minus_limb3_lower_sin)
+        )
         t75 = t71 + platform_turn_zx * base_lever_mz_by_limb3_S_fy
         jacobian_164 = -t75
         t76 = platform_turn_xx * minus_limb3_U_0_lever_mz_by_limb3_S_fz
-        limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
+        limb3_upper_position_x = param_R - minus_limb3_lower_sin * limb3_upper_offset_x
         minus_base_lever_my_by_limb3_S_fz = limb3_U_0_sin * limb3_upper_position_x
         t78 = t76 + platform_turn_yx * minus_base_lever_my_by_limb3_S_fz
         base_lever_mz_by_limb3_S_fz = limb3_U_0_cos * limb3_upper_position_x
         jacobian_165 = t78 - platform_turn_zx * base_lever_mz_by_limb3_S_fz
         limb4_U_0_sin = np.cos(limb4_U_q_0)
-        minus_base_lever_mx_by_limb4_S_fx = 0.8 * (limb4_U_0_sin * limb4_lower_cos)
+        minus_base_lever_mx_by_limb4_S_fx = param_R * (limb4_U_0_sin * limb4_lower_cos)
         t80 = platform_turn_xx * minus_base_lever_mx_by_limb4_S_fx
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
-        base_lever_mz_by_limb4_S_fx = 0.8 * (minus_limb4_U_0_cos * limb4_lower_cos)
+        base_lever_mz_by_limb4_S_fx = param_R * (minus_limb4_U_0_cos * limb4_lower_cos)
         jacobian_166 = t80 - platform_turn_zx * base_lever_mz_by_limb4_S_fx
         t82 = minus_limb4_U_0_cos * limb4_upper_offset_x  # limb4
         minus_limb4_lower_sin = np.sin(t29)
-        minus_base_lever_mz_by_limb4_S_fy = t82 - 0.8 * (minus_limb4_U_0_cos * minus_limb4_lower_sin)
+        minus_base_lever_mz_by_limb4_S_fy = t82 - param_R * (minus_limb4_U_0_cos * minus_limb4_lower_sin)
         # mechanism: results; reciprocal wrenches, eq. (10); geometry
         t84 = platform_turn_zx * minus_base_lever_mz_by_limb4_S_fy
-        base_lever_mx_by_limb4_S_fy = limb4_U_0_sin * limb4_upper_offset_x - 0.8 * (limb4_U_0_sin * minus_limb4_lower_sin)
+        base_lever_mx_by_limb4_S_fy = (
+            limb4_U_0_sin * limb4_upper_offset_x - param_R * (limb4_U_0_sin * minus_limb4_lower_sin)
+        )
         jacobian_167 = t84 - platform_turn_xx * base_lever_mx_by_limb4_S_fy
         t88 = platform_turn_yx * minus_limb4_U_0_lever_mz_by_limb4_S_fz
-        limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
+        limb4_upper_position_y = param_R - minus_limb4_lower_sin * limb4_upper_offset_x
         minus_base_lever_mx_by_limb4_S_fz = minus_limb4_U_0_cos * limb4_upper_position_y
         t90 = t88 + platform_turn_xx * minus_base_lever_mx_by_limb4_S_fz
         minus_base_lever_mz_by_limb4_S_fz = limb4_U_0_sin * limb4_upper_position_y
@@ -2552,6 +2698,7 @@ def closure_jacobian(*arguments):
         t170 = platform_turn_yz * minus_limb4_U_0_lever_mz_by_limb4_S_fz
         t172 = t170 + platform_turn_xz * minus_base_lever_mx_by_limb4_S_fz
         jacobian_194 = t172 + platform_turn_zz * minus_base_lever_mz_by_limb4_S_fz
+        guards = ()
         return _finish(batch, ((0.0, 0.0, limb1_U_0_lever_mz_by_limb1_U2_fz,
             limb1_U_0_lever_mz_by_limb1_U2_mn, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
             limb1_upper_offset_x, 0.0, limb1_U2_constraint_mn_couple_z, 0.0, 0.0, 0.0, 0.0, 0.0,
@@ -2570,8 +2717,8 @@ def closure_jacobian(*arguments):
             jacobian_172, jacobian_173, jacobian_174, jacobian_175, jacobian_176, jacobian_177,
             jacobian_178, jacobian_179, jacobian_180, jacobian_181, jacobian_182, jacobian_183,
             jacobian_184, jacobian_185, jacobian_186, jacobian_187, jacobian_188, jacobian_189,
-            jacobian_190, jacobian_191, jacobian_192, jacobian_193, jacobian_194),), (), (t34, t41,
-            jacobian_158, t54, jacobian_160, jacobian_161, jacobian_162, jacobian_163, t75,
+            jacobian_190, jacobian_191, jacobian_192, jacobian_193, jacobian_194),), guards, (t34,
+            t41, jacobian_158, t54, jacobian_160, jacobian_161, jacobian_162, jacobian_163, t75,
             jacobian_165, jacobian_166, jacobian_167, jacobian_168, t94, t97, jacobian_171, t106,
             jacobian_173, jacobian_174, jacobian_175, jacobian_176, t119, jacobian_178,
             jacobian_179, jacobian_180, jacobian_181, t136, t139, jacobian_184, t148, jacobian_186,
@@ -2615,11 +2762,13 @@ def closure_bias(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # limb1: geometry; velocities, eq. (6); accelerations
-        limb1_upper_offset_x = 0.3 + limb1_P_q
-        t1 = 0.5235987755982989 + limb1_U_q_1
+        limb1_upper_offset_x = limb_upper_phase + limb1_P_q
+        t1 = limb_lower_phase + limb1_U_q_1
         limb1_lower_cos = np.cos(t1)
         limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos
-        minus_limb1_upper_acc_still_x = limb1_upper_offset_x * (limb1_lower_omega_y * limb1_lower_omega_y + limb1_U_v_1 * limb1_U_v_1)
+        minus_limb1_upper_acc_still_x = (
+            limb1_upper_offset_x * (limb1_lower_omega_y * limb1_lower_omega_y + limb1_U_v_1 * limb1_U_v_1)
+        )
         limb1_lower_sin = np.sin(t1)
         limb1_U_0_sin = np.sin(limb1_U_q_0)
         # limb5_S: geometry; velocities, eq. (6)
@@ -2656,10 +2805,10 @@ def closure_bias(*arguments):
         platform_turn_xy = t17 - t19
         platform_twist_wx = t39 + limb5_S_v_wy * platform_turn_xy + limb5_S_v_wz * (t30 + t31)
         t44 = t37 + limb1_lower_cos * platform_twist_wx
-        minus_limb1_U2_arm_y = 0.8 * limb1_lower_cos
+        minus_limb1_U2_arm_y = param_R * limb1_lower_cos
         t47 = limb1_lower_cos * t36 - limb1_lower_sin * platform_twist_wx
         t48 = minus_limb1_U2_arm_y * t47
-        limb1_U2_arm_x = limb1_upper_offset_x - 0.8 * limb1_lower_sin
+        limb1_U2_arm_x = limb1_upper_offset_x - param_R * limb1_lower_sin
         t51 = t48 - limb1_U2_arm_x * t44
         t52 = t44 * t51
         t55 = limb1_U_0_cos * platform_twist_wy + limb1_U_0_sin * platform_twist_wz
@@ -2687,13 +2836,17 @@ def closure_bias(*arguments):
         t91 = t80 - limb1_U2_constraint_mn_couple_z * (t86 - limb1_lower_omega_y * t87)
         limb1_U2_opening_mn = limb1_lower_sin * t83 + limb1_lower_cos * platform_turn_xy
         t97 = t87 * (limb1_U2_opening_mn * t87 + limb1_U2_constraint_mn_couple_z * t76)
-        limb1_U2_opening_bias_mn = t91 - (t97 - t74 * (limb1_U2_constraint_mn_couple_x * t76 - limb1_U2_opening_mn * t74))
+        limb1_U2_opening_bias_mn = (
+            t91 - (t97 - t74 * (limb1_U2_constraint_mn_couple_x * t76 - limb1_U2_opening_mn * t74))
+        )
         # limb2: geometry; velocities, eq. (6); accelerations
-        limb2_upper_offset_x = 0.3 + limb2_P_q
-        t103 = 2.6179938779914944 + limb2_U_q_1
+        limb2_upper_offset_x = limb_upper_phase + limb2_P_q
+        t103 = limb_lower_phase_2 + limb2_U_q_1
         limb2_lower_cos = np.cos(t103)
         limb2_lower_omega_y = limb2_U_v_0 * limb2_lower_cos
-        minus_limb2_upper_acc_still_x = limb2_upper_offset_x * (limb2_lower_omega_y * limb2_lower_omega_y + limb2_U_v_1 * limb2_U_v_1)
+        minus_limb2_upper_acc_still_x = (
+            limb2_upper_offset_x * (limb2_lower_omega_y * limb2_lower_omega_y + limb2_U_v_1 * limb2_U_v_1)
+        )
         limb2_lower_sin = np.sin(t103)
         limb2_U_0_sin = np.cos(limb2_U_q_0)
         # limb2: loop closure; reciprocal wrenches, eq. (10); accelerations
@@ -2701,10 +2854,10 @@ def closure_bias(*arguments):
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
         t108 = t106 + minus_limb2_U_0_cos * platform_twist_wx
         t111 = limb2_lower_sin * t108 + limb2_lower_cos * platform_twist_wy
-        minus_limb2_S_arm_y = 0.8 * limb2_lower_cos
+        minus_limb2_S_arm_y = param_R * limb2_lower_cos
         t114 = limb2_lower_cos * t108 - limb2_lower_sin * platform_twist_wy
         t115 = minus_limb2_S_arm_y * t114
-        limb2_S_arm_x = limb2_upper_offset_x - 0.8 * limb2_lower_sin
+        limb2_S_arm_x = limb2_upper_offset_x - param_R * limb2_lower_sin
         t118 = t115 - limb2_S_arm_x * t111
         t119 = t111 * t118
         t122 = minus_limb2_U_0_cos * platform_twist_wz - limb2_U_0_sin * platform_twist_wx
@@ -2720,11 +2873,13 @@ def closure_bias(*arguments):
         limb2_upper_acc_still_z = t133 - limb2_P_v * (2.0 * limb2_lower_omega_y)
         limb2_S_opening_bias_fz = limb2_upper_acc_still_z - (t114 * t123 + t111 * t129)
         # limb3: geometry; velocities, eq. (6); accelerations
-        limb3_upper_offset_x = 0.3 + limb3_P_q
-        t139 = 0.5235987755982989 - limb3_U_q_1
+        limb3_upper_offset_x = limb_upper_phase + limb3_P_q
+        t139 = limb_lower_phase - limb3_U_q_1
         limb3_lower_cos = np.cos(t139)
         limb3_lower_omega_y = limb3_U_v_0 * limb3_lower_cos
-        minus_limb3_upper_acc_still_x = limb3_upper_offset_x * (limb3_lower_omega_y * limb3_lower_omega_y + limb3_U_v_1 * limb3_U_v_1)
+        minus_limb3_upper_acc_still_x = (
+            limb3_upper_offset_x * (limb3_lower_omega_y * limb3_lower_omega_y + limb3_U_v_1 * limb3_U_v_1)
+        )
         minus_limb3_lower_sin = np.sin(t139)
         limb3_U_0_sin = np.sin(limb3_U_q_0)
         # limb3: loop closure; reciprocal wrenches, eq. (10); accelerations
@@ -2732,10 +2887,10 @@ def closure_bias(*arguments):
         limb3_U_0_cos = np.cos(limb3_U_q_0)
         t144 = t142 - limb3_U_0_cos * platform_twist_wz
         t147 = minus_limb3_lower_sin * t144 - limb3_lower_cos * platform_twist_wx
-        limb3_S_arm_y = 0.8 * limb3_lower_cos
+        limb3_S_arm_y = param_R * limb3_lower_cos
         t150 = limb3_lower_cos * t144 + minus_limb3_lower_sin * platform_twist_wx
         t151 = limb3_S_arm_y * t150
-        limb3_S_arm_x = limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin
+        limb3_S_arm_x = limb3_upper_offset_x - param_R * minus_limb3_lower_sin
         t154 = t151 - limb3_S_arm_x * t147
         t155 = t147 * t154
         t158 = limb3_U_0_cos * platform_twist_wy + limb3_U_0_sin * platform_twist_wz
@@ -2751,11 +2906,13 @@ def closure_bias(*arguments):
         t172 = limb3_upper_offset_x * (2.0 * (limb3_U_v_1 * minus_limb3_lower_omega_x))
         limb3_S_opening_bias_fz = t171 - (t172 + limb3_P_v * (2.0 * limb3_lower_omega_y))
         # limb4: geometry; velocities, eq. (6); accelerations
-        limb4_upper_offset_x = 0.3 + limb4_P_q
-        t175 = 2.6179938779914944 - limb4_U_q_1
+        limb4_upper_offset_x = limb_upper_phase + limb4_P_q
+        t175 = limb_lower_phase_2 - limb4_U_q_1
         limb4_lower_cos = np.cos(t175)
         limb4_lower_omega_y = limb4_U_v_0 * limb4_lower_cos
-        minus_limb4_upper_acc_still_x = limb4_upper_offset_x * (limb4_lower_omega_y * limb4_lower_omega_y + limb4_U_v_1 * limb4_U_v_1)
+        minus_limb4_upper_acc_still_x = (
+            limb4_upper_offset_x * (limb4_lower_omega_y * limb4_lower_omega_y + limb4_U_v_1 * limb4_U_v_1)
+        )
         minus_limb4_lower_sin = np.sin(t175)
         limb4_U_0_sin = np.cos(limb4_U_q_0)
         # limb4: loop closure; reciprocal wrenches, eq. (10); accelerations
@@ -2763,10 +2920,10 @@ def closure_bias(*arguments):
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
         t180 = t178 + minus_limb4_U_0_cos * platform_twist_wx
         t183 = minus_limb4_lower_sin * t180 - limb4_lower_cos * platform_twist_wy
-        limb4_S_arm_y = 0.8 * limb4_lower_cos
+        limb4_S_arm_y = param_R * limb4_lower_cos
         t186 = limb4_lower_cos * t180 + minus_limb4_lower_sin * platform_twist_wy
         t187 = limb4_S_arm_y * t186
-        limb4_S_arm_x = limb4_upper_offset_x - 0.8 * minus_limb4_lower_sin
+        limb4_S_arm_x = limb4_upper_offset_x - param_R * minus_limb4_lower_sin
         t190 = t187 - limb4_S_arm_x * t183
         t191 = t183 * t190
         t194 = minus_limb4_U_0_cos * platform_twist_wz - limb4_U_0_sin * platform_twist_wx
@@ -2782,11 +2939,12 @@ def closure_bias(*arguments):
         minus_limb4_upper_acc_still_z = t205 + limb4_P_v * (2.0 * limb4_lower_omega_y)
         minus_limb4_S_opening_bias_fz = minus_limb4_upper_acc_still_z + (t186 * t195 + t183 * t198)
         limb4_S_opening_bias_fz = -minus_limb4_S_opening_bias_fz
+        guards = ()
         return _finish(batch, ((limb1_U2_opening_bias_fx, limb1_U2_opening_bias_fy,
             limb1_U2_opening_bias_fz, limb1_U2_opening_bias_mn, limb2_S_opening_bias_fx,
             limb2_S_opening_bias_fy, limb2_S_opening_bias_fz, limb3_S_opening_bias_fx,
             limb3_S_opening_bias_fy, limb3_S_opening_bias_fz, limb4_S_opening_bias_fx,
-            limb4_S_opening_bias_fy, limb4_S_opening_bias_fz),), (),
+            limb4_S_opening_bias_fy, limb4_S_opening_bias_fz),), guards,
             (minus_limb1_U2_opening_bias_fx, limb1_U2_opening_bias_fy, limb1_U2_opening_bias_fz,
             limb1_U2_opening_bias_mn, minus_limb2_S_opening_bias_fx, limb2_S_opening_bias_fy,
             limb2_S_opening_bias_fz, minus_limb3_S_opening_bias_fx, limb3_S_opening_bias_fy,
@@ -2827,13 +2985,13 @@ def velocity(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # limb1: geometry; reciprocal wrenches, eq. (10); rates that follow
-        t1 = 0.5235987755982989 + limb1_U_q_1
+        t1 = limb_lower_phase + limb1_U_q_1
         limb1_lower_cos = np.cos(t1)
-        limb1_upper_offset_x = 0.3 + limb1_P_q
+        limb1_upper_offset_x = limb_upper_phase + limb1_P_q
         minus_limb1_U_0_lever_mz_by_limb1_U2_fz = limb1_lower_cos * limb1_upper_offset_x
         t2 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz
         limb1_lower_sin = np.sin(t1)
-        minus_limb1_upper_position_x = 0.8 - limb1_lower_sin * limb1_upper_offset_x
+        minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x
         limb1_U_0_cos = np.cos(limb1_U_q_0)
         # limb5_S: geometry
         t3 = limb5_S_q_qw * limb5_S_q_qw
@@ -2854,7 +3012,10 @@ def velocity(*arguments):
         # limb1: reciprocal wrenches, eq. (10); rates that follow; pivots
         limb1_U2_constraint_mn_couple_x = t14 + limb1_U_0_sin * platform_turn_zy
         limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x
-        minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn - minus_limb1_upper_position_x * (limb1_lower_sin * limb1_U2_constraint_mn_couple_x * t2)
+        minus_limb1_U2_factor_1_by_3 = (
+            limb1_U_0_lever_my_by_limb1_U2_mn - minus_limb1_upper_position_x * (limb1_lower_sin *
+            limb1_U2_constraint_mn_couple_x * t2)
+        )
         t21 = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3
         t25 = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy)
         t26 = limb5_S_q_qy * t11  # limb5_S
@@ -2862,15 +3023,17 @@ def velocity(*arguments):
         t28 = limb5_S_q_qw * t15  # limb5_S
         platform_turn_xy = t27 - t28
         limb1_U2_constraint_mn_couple_z = t25 - limb1_lower_sin * platform_turn_xy
-        limb1_U2_arm_x = limb1_upper_offset_x - 0.8 * limb1_lower_sin
+        limb1_U2_arm_x = limb1_upper_offset_x - param_R * limb1_lower_sin
         t31 = limb1_lower_cos * t2
-        minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * (limb1_U2_constraint_mn_couple_z * t31)
+        minus_limb1_U2_factor_0_by_3 = (
+            limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * (limb1_U2_constraint_mn_couple_z * t31)
+        )
         # limb5_S: pivots; rates that follow
         minus_limb5_S_pivot_wz = t21 + limb1_U_0_sin * minus_limb1_U2_factor_0_by_3
         t34 = 1.0 / minus_limb5_S_pivot_wz
         t37 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - limb1_U_0_cos * minus_limb1_U2_factor_0_by_3  # limb1
         # limb5_S: velocities, eq. (6); rates that follow
-        t39 = 1.5 - 0.5 * t9
+        t39 = k2 - 0.5 * t9
         t40 = limb5_S_q_qw * t39
         t41 = 0.5 * t40
         t42 = t41 * limb5_S_y_dot_qy
@@ -2886,68 +3049,77 @@ def velocity(*arguments):
         t57 = 1.0 / a_pivot
         limb5_S_joint_rate_wy = t46 * t57
         limb5_S_joint_rate_wz = t34 * (t37 * limb5_S_joint_rate_wy)
-        t62 = minus_limb1_upper_position_x * (limb1_U_0_cos * limb5_S_joint_rate_wz - limb1_U_0_sin * limb5_S_joint_rate_wy)  # limb1
+        t62 = (
+            minus_limb1_upper_position_x * (limb1_U_0_cos * limb5_S_joint_rate_wz - limb1_U_0_sin *
+            limb5_S_joint_rate_wy)
+        )  # limb1
         t63 = t2 * t62  # limb1
         minus_limb5_S_joint_rate_wx = t57 * (limb5_S_y_dot_qy * t50 - limb5_S_y_dot_qx * t55)
         limb1_U_joint_rate_0 = t63 - minus_limb5_S_joint_rate_wx
         t69 = limb1_U_0_sin * limb5_S_joint_rate_wz + limb1_U_0_cos * limb5_S_joint_rate_wy  # limb1
         limb1_U_joint_rate_1 = t31 * (limb1_U2_arm_x * t69)
-        limb1_P_joint_rate = 0.8 * limb1_lower_cos * t69
+        limb1_P_joint_rate = param_R * limb1_lower_cos * t69
         # limb2: geometry; reciprocal wrenches, eq. (10); velocities, eq. (6)
-        t70 = 2.6179938779914944 + limb2_U_q_1
+        t70 = limb_lower_phase_2 + limb2_U_q_1
         limb2_lower_cos = np.cos(t70)
-        limb2_upper_offset_x = 0.3 + limb2_P_q
+        limb2_upper_offset_x = limb_upper_phase + limb2_P_q
         minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x
         t71 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
         limb2_lower_sin = np.sin(t70)
-        minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
+        minus_limb2_upper_position_y = param_R - limb2_lower_sin * limb2_upper_offset_x
         limb2_U_0_sin = np.cos(limb2_U_q_0)
         # limb2: velocities, eq. (6); geometry; reciprocal wrenches, eq. (10)
         t72 = limb2_U_0_sin * limb5_S_joint_rate_wz
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
         t76 = t71 * (minus_limb2_upper_position_y * (t72 - minus_limb2_U_0_cos * minus_limb5_S_joint_rate_wx))
         limb2_U_joint_rate_0 = limb5_S_joint_rate_wy - t76
-        limb2_S_arm_x = limb2_upper_offset_x - 0.8 * limb2_lower_sin
+        limb2_S_arm_x = limb2_upper_offset_x - param_R * limb2_lower_sin
         t80 = minus_limb2_U_0_cos * limb5_S_joint_rate_wz + limb2_U_0_sin * minus_limb5_S_joint_rate_wx
         minus_limb2_U_joint_rate_1 = limb2_S_arm_x * t80 * (limb2_lower_cos * t71)
         limb2_U_joint_rate_1 = -minus_limb2_U_joint_rate_1
-        minus_limb2_P_joint_rate = 0.8 * limb2_lower_cos * t80
+        minus_limb2_P_joint_rate = param_R * limb2_lower_cos * t80
         limb2_P_joint_rate = -minus_limb2_P_joint_rate
         # limb3: geometry; reciprocal wrenches, eq. (10); velocities, eq. (6)
-        t82 = 0.5235987755982989 - limb3_U_q_1
+        t82 = limb_lower_phase - limb3_U_q_1
         limb3_lower_cos = np.cos(t82)
-        limb3_upper_offset_x = 0.3 + limb3_P_q
+        limb3_upper_offset_x = limb_upper_phase + limb3_P_q
         minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x
         t83 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
         minus_limb3_lower_sin = np.sin(t82)
-        limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
+        limb3_upper_position_x = param_R - minus_limb3_lower_sin * limb3_upper_offset_x
         limb3_U_0_cos = np.cos(limb3_U_q_0)
         t84 = limb3_U_0_cos * limb5_S_joint_rate_wz
         limb3_U_0_sin = np.sin(limb3_U_q_0)
-        minus_limb3_U_joint_rate_0 = minus_limb5_S_joint_rate_wx + t83 * (limb3_upper_position_x * (t84 - limb3_U_0_sin * limb5_S_joint_rate_wy))
+        minus_limb3_U_joint_rate_0 = (
+            minus_limb5_S_joint_rate_wx + t83 * (limb3_upper_position_x * (t84 - limb3_U_0_sin *
+            limb5_S_joint_rate_wy))
+        )
         limb3_U_joint_rate_0 = -minus_limb3_U_joint_rate_0
-        limb3_S_arm_x = limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin
+        limb3_S_arm_x = limb3_upper_offset_x - param_R * minus_limb3_lower_sin
         t92 = limb3_U_0_sin * limb5_S_joint_rate_wz + limb3_U_0_cos * limb5_S_joint_rate_wy
         limb3_U_joint_rate_1 = limb3_S_arm_x * t92 * (limb3_lower_cos * t83)
-        minus_limb3_P_joint_rate = 0.8 * limb3_lower_cos * t92
+        minus_limb3_P_joint_rate = param_R * limb3_lower_cos * t92
         limb3_P_joint_rate = -minus_limb3_P_joint_rate
         # limb4: geometry; reciprocal wrenches, eq. (10); velocities, eq. (6)
-        t94 = 2.6179938779914944 - limb4_U_q_1
+        t94 = limb_lower_phase_2 - limb4_U_q_1
         limb4_lower_cos = np.cos(t94)
-        limb4_upper_offset_x = 0.3 + limb4_P_q
+        limb4_upper_offset_x = limb_upper_phase + limb4_P_q
         minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x
         t95 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz
         minus_limb4_lower_sin = np.sin(t94)
-        limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
+        limb4_upper_position_y = param_R - minus_limb4_lower_sin * limb4_upper_offset_x
         limb4_U_0_sin = np.cos(limb4_U_q_0)
         t96 = limb4_U_0_sin * limb5_S_joint_rate_wz
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
-        limb4_U_joint_rate_0 = limb5_S_joint_rate_wy + t95 * (limb4_upper_position_y * (t96 - minus_limb4_U_0_cos * minus_limb5_S_joint_rate_wx))
-        limb4_S_arm_x = limb4_upper_offset_x - 0.8 * minus_limb4_lower_sin
+        limb4_U_joint_rate_0 = (
+            limb5_S_joint_rate_wy + t95 * (limb4_upper_position_y * (t96 - minus_limb4_U_0_cos *
+            minus_limb5_S_joint_rate_wx))
+        )
+        limb4_S_arm_x = limb4_upper_offset_x - param_R * minus_limb4_lower_sin
         t104 = minus_limb4_U_0_cos * limb5_S_joint_rate_wz + limb4_U_0_sin * minus_limb5_S_joint_rate_wx
         minus_limb4_U_joint_rate_1 = limb4_S_arm_x * t104 * (limb4_lower_cos * t95)
         limb4_U_joint_rate_1 = -minus_limb4_U_joint_rate_1
-        limb4_P_joint_rate = 0.8 * limb4_lower_cos * t104
+        limb4_P_joint_rate = param_R * limb4_lower_cos * t104
         # platform: geometry; velocities, eq. (6)
         t106 = limb5_S_q_qx * t15
         t107 = limb5_S_q_qw * t26
@@ -2955,20 +3127,32 @@ def velocity(*arguments):
         t112 = (t27 + t28) * limb5_S_joint_rate_wy - (1.0 - t8 * t11) * minus_limb5_S_joint_rate_wx
         platform_omega_x = t108 + t112
         t113 = platform_turn_zy * limb5_S_joint_rate_wz
-        platform_omega_y = t113 + (platform_turn_yy * limb5_S_joint_rate_wy - platform_turn_xy * minus_limb5_S_joint_rate_wx)
+        platform_omega_y = (
+            t113 + (platform_turn_yy * limb5_S_joint_rate_wy - platform_turn_xy * minus_limb5_S_joint_rate_wx)
+        )
         t119 = (1.0 - t11 * (t4 + t6)) * limb5_S_joint_rate_wz
-        platform_omega_z = t119 + ((t16 - t18) * limb5_S_joint_rate_wy - (t106 + t107) * minus_limb5_S_joint_rate_wx)
+        platform_omega_z = (
+            t119 + ((t16 - t18) * limb5_S_joint_rate_wy - (t106 + t107) * minus_limb5_S_joint_rate_wx)
+        )
+        guards = (  # status 1 where a pivot is smaller than its limit:
+            (minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-10),  # where the reciprocal wrench limb3_S.fz has no
+            # power along limb3_U.0, as in a stretched limb
+            (minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-10),  # where the reciprocal wrench limb2_S.fz has no
+            # power along limb2_U.0, as in a stretched limb
+            (minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-10),  # where the reciprocal wrench limb4_S.fz has no
+            # power along limb4_U.0, as in a stretched limb
+            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-10),  # where the reciprocal wrench limb1_U2.fz has
+            # no power along limb1_U.0, as in a stretched limb
+            (minus_limb5_S_pivot_wz, 1.0e-09),  # where the loops no longer determine limb5_S.wz
+            (a_pivot, 1.0e-09),  # where the elimination meets a singularity
+        )
         return _finish(batch, ((limb1_U_joint_rate_0, limb1_U_joint_rate_1, limb1_P_joint_rate,
             limb2_U_joint_rate_0, limb2_U_joint_rate_1, limb2_P_joint_rate, limb3_U_joint_rate_0,
             limb3_U_joint_rate_1, limb3_P_joint_rate, limb4_U_joint_rate_0, limb4_U_joint_rate_1,
-            limb4_P_joint_rate, platform_omega_x, platform_omega_y, platform_omega_z),),
-            ((minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-10),
-            (minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-10),
-            (minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-10),
-            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-10), (minus_limb5_S_pivot_wz,
-            1.0e-09), (a_pivot, 1.0e-09)), (minus_limb1_U_0_lever_mz_by_limb1_U2_fz,
-            minus_limb5_S_pivot_wz, a_pivot, limb1_U_joint_rate_0, limb1_U_joint_rate_1,
-            limb1_P_joint_rate, minus_limb2_U_0_lever_mz_by_limb2_S_fz, limb2_U_joint_rate_0,
+            limb4_P_joint_rate, platform_omega_x, platform_omega_y, platform_omega_z),), guards,
+            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, minus_limb5_S_pivot_wz, a_pivot,
+            limb1_U_joint_rate_0, limb1_U_joint_rate_1, limb1_P_joint_rate,
+            minus_limb2_U_0_lever_mz_by_limb2_S_fz, limb2_U_joint_rate_0,
             minus_limb2_U_joint_rate_1, minus_limb2_P_joint_rate,
             minus_limb3_U_0_lever_mz_by_limb3_S_fz, minus_limb3_U_joint_rate_0,
             limb3_U_joint_rate_1, minus_limb3_P_joint_rate, minus_limb4_U_0_lever_mz_by_limb4_S_fz,
@@ -3021,11 +3205,11 @@ def null_space(*arguments):
         t5 = limb5_S_q_qz * limb5_S_q_qz
         t6 = t4 + t5
         t7 = t3 + t6
-        t9 = 1.5 - 0.5 * t7
+        t9 = k2 - 0.5 * t7
         t10 = limb5_S_q_qw * t9
         t11 = limb5_S_q_qx * t9
         limb1_U_0_cos = np.cos(limb1_U_q_0)
-        t12 = 0.5235987755982989 + limb1_U_q_1  # limb1
+        t12 = limb_lower_phase + limb1_U_q_1  # limb1
         limb1_lower_cos = np.cos(t12)
         t14 = 4.0 - 2.0 * t7
         platform_turn_yy = 1.0 - t14 * (t2 + t5)
@@ -3039,12 +3223,15 @@ def null_space(*arguments):
         limb1_U2_constraint_mn_couple_x = t17 + limb1_U_0_sin * platform_turn_zy
         limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x
         limb1_lower_sin = np.sin(t12)
-        limb1_upper_offset_x = 0.3 + limb1_P_q
-        minus_limb1_upper_position_x = 0.8 - limb1_lower_sin * limb1_upper_offset_x
+        limb1_upper_offset_x = limb_upper_phase + limb1_P_q
+        minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x
         limb1_U_0_lever_mz_by_limb1_U2_mn = limb1_lower_sin * limb1_U2_constraint_mn_couple_x
         minus_limb1_U_0_lever_mz_by_limb1_U2_fz = limb1_lower_cos * limb1_upper_offset_x
         t23 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz
-        minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn - minus_limb1_upper_position_x * (limb1_U_0_lever_mz_by_limb1_U2_mn * t23)
+        minus_limb1_U2_factor_1_by_3 = (
+            limb1_U_0_lever_my_by_limb1_U2_mn - minus_limb1_upper_position_x * (limb1_U_0_lever_mz_by_limb1_U2_mn *
+            t23)
+        )
         t25 = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3
         t29 = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy)
         t30 = limb5_S_q_qy * t14  # limb5_S
@@ -3052,9 +3239,11 @@ def null_space(*arguments):
         t32 = limb5_S_q_qw * t18  # limb5_S
         platform_turn_xy = t31 - t32
         limb1_U2_constraint_mn_couple_z = t29 - limb1_lower_sin * platform_turn_xy
-        limb1_U2_arm_x = limb1_upper_offset_x - 0.8 * limb1_lower_sin
+        limb1_U2_arm_x = limb1_upper_offset_x - param_R * limb1_lower_sin
         t35 = limb1_lower_cos * t23
-        minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * (limb1_U2_constraint_mn_couple_z * t35)
+        minus_limb1_U2_factor_0_by_3 = (
+            limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * (limb1_U2_constraint_mn_couple_z * t35)
+        )
         # limb5_S: pivots
         minus_limb5_S_pivot_wz = t25 + limb1_U_0_sin * minus_limb1_U2_factor_0_by_3
         # limb5_S: rates that follow
@@ -3079,16 +3268,16 @@ def null_space(*arguments):
         t61 = limb1_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qx
         t63 = t61 + limb1_U_0_cos * limb5_S_null_space_wy_by_limb5_S_qx
         limb1_U_null_space_1_by_limb5_S_qx = t35 * (limb1_U2_arm_x * t63)
-        minus_limb1_U2_arm_y = 0.8 * limb1_lower_cos
+        minus_limb1_U2_arm_y = param_R * limb1_lower_cos
         limb1_P_null_space_by_limb5_S_qx = minus_limb1_U2_arm_y * t63
         # limb2: geometry; reciprocal wrenches, eq. (10); rates that follow
-        t65 = 2.6179938779914944 + limb2_U_q_1
+        t65 = limb_lower_phase_2 + limb2_U_q_1
         limb2_lower_cos = np.cos(t65)
-        limb2_upper_offset_x = 0.3 + limb2_P_q
+        limb2_upper_offset_x = limb_upper_phase + limb2_P_q
         minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x
         t66 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
         limb2_lower_sin = np.sin(t65)
-        minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
+        minus_limb2_upper_position_y = param_R - limb2_lower_sin * limb2_upper_offset_x
         limb2_U_0_sin = np.cos(limb2_U_q_0)
         # limb2: rates that follow; geometry; reciprocal wrenches, eq. (10)
         t67 = limb2_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qx
@@ -3096,43 +3285,46 @@ def null_space(*arguments):
         t70 = minus_limb2_upper_position_y * (t67 + minus_limb2_U_0_cos * limb5_S_null_space_wx_by_limb5_S_qx)
         limb2_U_null_space_0_by_limb5_S_qx = limb5_S_null_space_wy_by_limb5_S_qx - t66 * t70
         t72 = limb2_lower_cos * t66
-        limb2_S_arm_x = limb2_upper_offset_x - 0.8 * limb2_lower_sin
+        limb2_S_arm_x = limb2_upper_offset_x - param_R * limb2_lower_sin
         t74 = minus_limb2_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qx
         t76 = t74 - limb2_U_0_sin * limb5_S_null_space_wx_by_limb5_S_qx
         minus_limb2_U_null_space_1_by_limb5_S_qx = t72 * (limb2_S_arm_x * t76)
         limb2_U_null_space_1_by_limb5_S_qx = -minus_limb2_U_null_space_1_by_limb5_S_qx
-        minus_limb2_S_arm_y = 0.8 * limb2_lower_cos
+        minus_limb2_S_arm_y = param_R * limb2_lower_cos
         minus_limb2_P_null_space_by_limb5_S_qx = minus_limb2_S_arm_y * t76
         limb2_P_null_space_by_limb5_S_qx = -minus_limb2_P_null_space_by_limb5_S_qx
         # limb3: geometry; reciprocal wrenches, eq. (10); rates that follow
-        t78 = 0.5235987755982989 - limb3_U_q_1
+        t78 = limb_lower_phase - limb3_U_q_1
         limb3_lower_cos = np.cos(t78)
-        limb3_upper_offset_x = 0.3 + limb3_P_q
+        limb3_upper_offset_x = limb_upper_phase + limb3_P_q
         minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x
         t79 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
         minus_limb3_lower_sin = np.sin(t78)
-        limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
+        limb3_upper_position_x = param_R - minus_limb3_lower_sin * limb3_upper_offset_x
         limb3_U_0_cos = np.cos(limb3_U_q_0)
         # limb3: rates that follow; geometry; reciprocal wrenches, eq. (10)
         t80 = limb3_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qx
         limb3_U_0_sin = np.sin(limb3_U_q_0)
-        limb3_U_null_space_0_by_limb5_S_qx = limb5_S_null_space_wx_by_limb5_S_qx - t79 * (limb3_upper_position_x * (t80 - limb3_U_0_sin * limb5_S_null_space_wy_by_limb5_S_qx))
+        limb3_U_null_space_0_by_limb5_S_qx = (
+            limb5_S_null_space_wx_by_limb5_S_qx - t79 * (limb3_upper_position_x * (t80 - limb3_U_0_sin *
+            limb5_S_null_space_wy_by_limb5_S_qx))
+        )
         t85 = limb3_lower_cos * t79
-        limb3_S_arm_x = limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin
+        limb3_S_arm_x = limb3_upper_offset_x - param_R * minus_limb3_lower_sin
         t87 = limb3_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qx
         t89 = t87 + limb3_U_0_cos * limb5_S_null_space_wy_by_limb5_S_qx
         limb3_U_null_space_1_by_limb5_S_qx = t85 * (limb3_S_arm_x * t89)
-        limb3_S_arm_y = 0.8 * limb3_lower_cos
+        limb3_S_arm_y = param_R * limb3_lower_cos
         minus_limb3_P_null_space_by_limb5_S_qx = limb3_S_arm_y * t89
         limb3_P_null_space_by_limb5_S_qx = -minus_limb3_P_null_space_by_limb5_S_qx
         # limb4: geometry; reciprocal wrenches, eq. (10); rates that follow
-        t91 = 2.6179938779914944 - limb4_U_q_1
+        t91 = limb_lower_phase_2 - limb4_U_q_1
         limb4_lower_cos = np.cos(t91)
-        limb4_upper_offset_x = 0.3 + limb4_P_q
+        limb4_upper_offset_x = limb_upper_phase + limb4_P_q
         minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x
         t92 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz
         minus_limb4_lower_sin = np.sin(t91)
-        limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
+        limb4_upper_position_y = param_R - minus_limb4_lower_sin * limb4_upper_offset_x
         limb4_U_0_sin = np.cos(limb4_U_q_0)
         # limb4: rates that follow; geometry; reciprocal wrenches, eq. (10)
         t93 = limb4_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qx
@@ -3140,12 +3332,12 @@ def null_space(*arguments):
         t97 = t92 * (limb4_upper_position_y * (t93 + minus_limb4_U_0_cos * limb5_S_null_space_wx_by_limb5_S_qx))
         limb4_U_null_space_0_by_limb5_S_qx = limb5_S_null_space_wy_by_limb5_S_qx + t97
         t98 = limb4_lower_cos * t92
-        limb4_S_arm_x = limb4_upper_offset_x - 0.8 * minus_limb4_lower_sin
+        limb4_S_arm_x = limb4_upper_offset_x - param_R * minus_limb4_lower_sin
         t100 = minus_limb4_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qx
         t102 = t100 - limb4_U_0_sin * limb5_S_null_space_wx_by_limb5_S_qx
         minus_limb4_U_null_space_1_by_limb5_S_qx = t98 * (limb4_S_arm_x * t102)
         limb4_U_null_space_1_by_limb5_S_qx = -minus_limb4_U_null_space_1_by_limb5_S_qx
-        limb4_S_arm_y = 0.8 * limb4_lower_cos
+        limb4_S_arm_y = param_R * limb4_lower_cos
         limb4_P_null_space_by_limb5_S_qx = limb4_S_arm_y * t102
         # limb5_S: geometry
         t104 = limb5_S_q_qx * t18
@@ -3156,27 +3348,38 @@ def null_space(*arguments):
         platform_turn_yx = t31 + t32
         t107 = platform_turn_yx * limb5_S_null_space_wy_by_limb5_S_qx
         platform_turn_xx = 1.0 - t6 * t14
-        limb5_S_null_space_wx_by_limb5_S_qx_2 = t106 + (t107 + platform_turn_xx * limb5_S_null_space_wx_by_limb5_S_qx)
+        limb5_S_null_space_wx_by_limb5_S_qx_2 = (
+            t106 + (t107 + platform_turn_xx * limb5_S_null_space_wx_by_limb5_S_qx)
+        )
         t111 = platform_turn_zy * limb5_S_null_space_wz_by_limb5_S_qx
         t112 = platform_turn_yy * limb5_S_null_space_wy_by_limb5_S_qx
-        limb5_S_null_space_wy_by_limb5_S_qx_2 = t111 + (t112 + platform_turn_xy * limb5_S_null_space_wx_by_limb5_S_qx)
+        limb5_S_null_space_wy_by_limb5_S_qx_2 = (
+            t111 + (t112 + platform_turn_xy * limb5_S_null_space_wx_by_limb5_S_qx)
+        )
         platform_turn_zz = 1.0 - t14 * (t2 + t4)
         t117 = platform_turn_zz * limb5_S_null_space_wz_by_limb5_S_qx
         platform_turn_yz = t19 - t21
         t118 = platform_turn_yz * limb5_S_null_space_wy_by_limb5_S_qx
         platform_turn_xz = t104 + t105
-        limb5_S_null_space_wz_by_limb5_S_qx_2 = t117 + (t118 + platform_turn_xz * limb5_S_null_space_wx_by_limb5_S_qx)
+        limb5_S_null_space_wz_by_limb5_S_qx_2 = (
+            t117 + (t118 + platform_turn_xz * limb5_S_null_space_wx_by_limb5_S_qx)
+        )
         limb5_S_null_space_wy_by_limb5_S_qy = t52 * t54
         limb5_S_null_space_wz_by_limb5_S_qy = t38 * (t41 * limb5_S_null_space_wy_by_limb5_S_qy)
         t122 = limb1_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qy  # limb1
-        t126 = t23 * (minus_limb1_upper_position_x * (t122 - limb1_U_0_sin * limb5_S_null_space_wy_by_limb5_S_qy))  # limb1
+        t126 = (
+            t23 * (minus_limb1_upper_position_x * (t122 - limb1_U_0_sin * limb5_S_null_space_wy_by_limb5_S_qy))
+        )  # limb1
         t127 = t50 * t54
         limb1_U_null_space_0_by_limb5_S_qy = t126 - t127
         t128 = limb1_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qy  # limb1
         t130 = t128 + limb1_U_0_cos * limb5_S_null_space_wy_by_limb5_S_qy  # limb1
         limb1_U_null_space_1_by_limb5_S_qy = t35 * (limb1_U2_arm_x * t130)
         limb1_P_null_space_by_limb5_S_qy = minus_limb1_U2_arm_y * t130
-        t135 = minus_limb2_upper_position_y * (limb2_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qy - minus_limb2_U_0_cos * t127)  # limb2
+        t135 = (
+            minus_limb2_upper_position_y * (limb2_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qy -
+            minus_limb2_U_0_cos * t127)
+        )  # limb2
         limb2_U_null_space_0_by_limb5_S_qy = limb5_S_null_space_wy_by_limb5_S_qy - t66 * t135
         t139 = minus_limb2_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qy + limb2_U_0_sin * t127  # limb2
         minus_limb2_U_null_space_1_by_limb5_S_qy = limb2_S_arm_x * t139 * t72
@@ -3193,18 +3396,39 @@ def null_space(*arguments):
         limb3_U_null_space_1_by_limb5_S_qy = limb3_S_arm_x * t148 * t85
         minus_limb3_P_null_space_by_limb5_S_qy = limb3_S_arm_y * t148
         limb3_P_null_space_by_limb5_S_qy = -minus_limb3_P_null_space_by_limb5_S_qy
-        t153 = limb4_upper_position_y * (limb4_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qy - minus_limb4_U_0_cos * t127)  # limb4
+        t153 = (
+            limb4_upper_position_y * (limb4_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qy - minus_limb4_U_0_cos *
+            t127)
+        )  # limb4
         limb4_U_null_space_0_by_limb5_S_qy = limb5_S_null_space_wy_by_limb5_S_qy + t92 * t153
         t157 = minus_limb4_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qy + limb4_U_0_sin * t127  # limb4
         minus_limb4_U_null_space_1_by_limb5_S_qy = limb4_S_arm_x * t157 * t98
         limb4_U_null_space_1_by_limb5_S_qy = -minus_limb4_U_null_space_1_by_limb5_S_qy
         limb4_P_null_space_by_limb5_S_qy = limb4_S_arm_y * t157
         t159 = platform_turn_zx * limb5_S_null_space_wz_by_limb5_S_qy  # limb5_S
-        limb5_S_null_space_wx_by_limb5_S_qy = t159 + (platform_turn_yx * limb5_S_null_space_wy_by_limb5_S_qy - platform_turn_xx * t127)
+        limb5_S_null_space_wx_by_limb5_S_qy = (
+            t159 + (platform_turn_yx * limb5_S_null_space_wy_by_limb5_S_qy - platform_turn_xx * t127)
+        )
         t163 = platform_turn_zy * limb5_S_null_space_wz_by_limb5_S_qy  # limb5_S
-        limb5_S_null_space_wy_by_limb5_S_qy_2 = t163 + (platform_turn_yy * limb5_S_null_space_wy_by_limb5_S_qy - platform_turn_xy * t127)
+        limb5_S_null_space_wy_by_limb5_S_qy_2 = (
+            t163 + (platform_turn_yy * limb5_S_null_space_wy_by_limb5_S_qy - platform_turn_xy * t127)
+        )
         t167 = platform_turn_zz * limb5_S_null_space_wz_by_limb5_S_qy  # limb5_S
-        limb5_S_null_space_wz_by_limb5_S_qy_2 = t167 + (platform_turn_yz * limb5_S_null_space_wy_by_limb5_S_qy - platform_turn_xz * t127)
+        limb5_S_null_space_wz_by_limb5_S_qy_2 = (
+            t167 + (platform_turn_yz * limb5_S_null_space_wy_by_limb5_S_qy - platform_turn_xz * t127)
+        )
+        guards = (  # status 1 where a pivot is smaller than its limit:
+            (minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-10),  # where the reciprocal wrench limb3_S.fz has no
+            # power along limb3_U.0, as in a stretched limb
+            (minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-10),  # where the reciprocal wrench limb2_S.fz has no
+            # power along limb2_U.0, as in a stretched limb
+            (minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-10),  # where the reciprocal wrench limb4_S.fz has no
+            # power along limb4_U.0, as in a stretched limb
+            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-10),  # where the reciprocal wrench limb1_U2.fz has
+            # no power along limb1_U.0, as in a stretched limb
+            (minus_limb5_S_pivot_wz, 1.0e-09),  # where the loops no longer determine limb5_S.wz
+            (a_pivot, 1.0e-09),  # where the elimination meets a singularity
+        )
         return _finish(batch, ((limb1_U_null_space_0_by_limb5_S_qx,
             limb1_U_null_space_1_by_limb5_S_qx, limb1_P_null_space_by_limb5_S_qx,
             limb2_U_null_space_0_by_limb5_S_qx, limb2_U_null_space_1_by_limb5_S_qx,
@@ -3220,29 +3444,25 @@ def null_space(*arguments):
             limb3_P_null_space_by_limb5_S_qy, limb4_U_null_space_0_by_limb5_S_qy,
             limb4_U_null_space_1_by_limb5_S_qy, limb4_P_null_space_by_limb5_S_qy,
             limb5_S_null_space_wx_by_limb5_S_qy, limb5_S_null_space_wy_by_limb5_S_qy_2,
-            limb5_S_null_space_wz_by_limb5_S_qy_2),), ((minus_limb3_U_0_lever_mz_by_limb3_S_fz,
-            6.62327e-10), (minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-10),
-            (minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-10),
-            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-10), (minus_limb5_S_pivot_wz,
-            1.0e-09), (a_pivot, 1.0e-09)), (minus_limb1_U_0_lever_mz_by_limb1_U2_fz,
-            minus_limb5_S_pivot_wz, a_pivot, limb1_U_null_space_0_by_limb5_S_qx,
-            limb1_U_null_space_1_by_limb5_S_qx, limb1_P_null_space_by_limb5_S_qx,
-            minus_limb2_U_0_lever_mz_by_limb2_S_fz, limb2_U_null_space_0_by_limb5_S_qx,
-            minus_limb2_U_null_space_1_by_limb5_S_qx, minus_limb2_P_null_space_by_limb5_S_qx,
-            minus_limb3_U_0_lever_mz_by_limb3_S_fz, limb3_U_null_space_0_by_limb5_S_qx,
-            limb3_U_null_space_1_by_limb5_S_qx, minus_limb3_P_null_space_by_limb5_S_qx,
-            minus_limb4_U_0_lever_mz_by_limb4_S_fz, limb4_U_null_space_0_by_limb5_S_qx,
-            minus_limb4_U_null_space_1_by_limb5_S_qx, limb4_P_null_space_by_limb5_S_qx,
-            limb5_S_null_space_wx_by_limb5_S_qx_2, limb5_S_null_space_wy_by_limb5_S_qx_2,
-            limb5_S_null_space_wz_by_limb5_S_qx_2, limb1_U_null_space_0_by_limb5_S_qy,
-            limb1_U_null_space_1_by_limb5_S_qy, limb1_P_null_space_by_limb5_S_qy,
-            limb2_U_null_space_0_by_limb5_S_qy, minus_limb2_U_null_space_1_by_limb5_S_qy,
-            minus_limb2_P_null_space_by_limb5_S_qy, minus_limb3_U_null_space_0_by_limb5_S_qy,
-            limb3_U_null_space_1_by_limb5_S_qy, minus_limb3_P_null_space_by_limb5_S_qy,
-            limb4_U_null_space_0_by_limb5_S_qy, minus_limb4_U_null_space_1_by_limb5_S_qy,
-            limb4_P_null_space_by_limb5_S_qy, limb5_S_null_space_wx_by_limb5_S_qy,
-            limb5_S_null_space_wy_by_limb5_S_qy_2, limb5_S_null_space_wz_by_limb5_S_qy_2), ((t7,
-            0.999999, 1.000001, 5),))
+            limb5_S_null_space_wz_by_limb5_S_qy_2),), guards,
+            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, minus_limb5_S_pivot_wz, a_pivot,
+            limb1_U_null_space_0_by_limb5_S_qx, limb1_U_null_space_1_by_limb5_S_qx,
+            limb1_P_null_space_by_limb5_S_qx, minus_limb2_U_0_lever_mz_by_limb2_S_fz,
+            limb2_U_null_space_0_by_limb5_S_qx, minus_limb2_U_null_space_1_by_limb5_S_qx,
+            minus_limb2_P_null_space_by_limb5_S_qx, minus_limb3_U_0_lever_mz_by_limb3_S_fz,
+            limb3_U_null_space_0_by_limb5_S_qx, limb3_U_null_space_1_by_limb5_S_qx,
+            minus_limb3_P_null_space_by_limb5_S_qx, minus_limb4_U_0_lever_mz_by_limb4_S_fz,
+            limb4_U_null_space_0_by_limb5_S_qx, minus_limb4_U_null_space_1_by_limb5_S_qx,
+            limb4_P_null_space_by_limb5_S_qx, limb5_S_null_space_wx_by_limb5_S_qx_2,
+            limb5_S_null_space_wy_by_limb5_S_qx_2, limb5_S_null_space_wz_by_limb5_S_qx_2,
+            limb1_U_null_space_0_by_limb5_S_qy, limb1_U_null_space_1_by_limb5_S_qy,
+            limb1_P_null_space_by_limb5_S_qy, limb2_U_null_space_0_by_limb5_S_qy,
+            minus_limb2_U_null_space_1_by_limb5_S_qy, minus_limb2_P_null_space_by_limb5_S_qy,
+            minus_limb3_U_null_space_0_by_limb5_S_qy, limb3_U_null_space_1_by_limb5_S_qy,
+            minus_limb3_P_null_space_by_limb5_S_qy, limb4_U_null_space_0_by_limb5_S_qy,
+            minus_limb4_U_null_space_1_by_limb5_S_qy, limb4_P_null_space_by_limb5_S_qy,
+            limb5_S_null_space_wx_by_limb5_S_qy, limb5_S_null_space_wy_by_limb5_S_qy_2,
+            limb5_S_null_space_wz_by_limb5_S_qy_2), ((t7, 0.999999, 1.000001, 5),))
 
 
 def acceleration(*arguments):
@@ -3292,12 +3512,12 @@ def acceleration(*arguments):
         t5 = limb5_S_q_qz * limb5_S_q_qz
         t6 = t4 + t5
         t7 = t3 + t6
-        t9 = 1.5 - 0.5 * t7
+        t9 = k2 - 0.5 * t7
         t10 = limb5_S_q_qz * t9
         t11 = 0.5 * t10
         t12 = limb5_S_q_qy * t9
         limb1_U_0_cos = np.cos(limb1_U_q_0)
-        t13 = 0.5235987755982989 + limb1_U_q_1  # limb1
+        t13 = limb_lower_phase + limb1_U_q_1  # limb1
         limb1_lower_cos = np.cos(t13)
         t15 = 4.0 - 2.0 * t7
         platform_turn_yy = 1.0 - t15 * (t2 + t5)
@@ -3311,13 +3531,15 @@ def acceleration(*arguments):
         limb1_U2_constraint_mn_couple_x = t18 + limb1_U_0_sin * platform_turn_zy
         limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x
         limb1_lower_sin = np.sin(t13)
-        limb1_upper_offset_x = 0.3 + limb1_P_q
-        minus_limb1_upper_position_x = 0.8 - limb1_lower_sin * limb1_upper_offset_x
+        limb1_upper_offset_x = limb_upper_phase + limb1_P_q
+        minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x
         limb1_U_0_lever_mz_by_limb1_U2_mn = limb1_lower_sin * limb1_U2_constraint_mn_couple_x
         minus_limb1_U_0_lever_mz_by_limb1_U2_fz = limb1_lower_cos * limb1_upper_offset_x
         t24 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz
         minus_limb1_U_factor_0_by_3 = limb1_U_0_lever_mz_by_limb1_U2_mn * t24
-        minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn - minus_limb1_upper_position_x * minus_limb1_U_factor_0_by_3
+        minus_limb1_U2_factor_1_by_3 = (
+            limb1_U_0_lever_my_by_limb1_U2_mn - minus_limb1_upper_position_x * minus_limb1_U_factor_0_by_3
+        )
         t26 = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3
         t29 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy
         t30 = limb1_lower_cos * t29
@@ -3326,7 +3548,7 @@ def acceleration(*arguments):
         t33 = limb5_S_q_qw * t19  # limb5_S
         platform_turn_xy = t32 - t33
         limb1_U2_constraint_mn_couple_z = t30 - limb1_lower_sin * platform_turn_xy
-        limb1_U2_arm_x = limb1_upper_offset_x - 0.8 * limb1_lower_sin
+        limb1_U2_arm_x = limb1_upper_offset_x - param_R * limb1_lower_sin
         t36 = limb1_lower_cos * t24
         limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * t36
         minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * limb1_U_factor_1_by_3
@@ -3375,7 +3597,9 @@ def acceleration(*arguments):
         t110 = limb1_U_0_sin * platform_twist_wy - limb1_U_0_cos * platform_twist_wz  # limb5_S
         limb1_upper_twist_vx = limb1_P_v * limb1_lower_sin
         t111 = limb1_U_v_1 * limb1_lower_cos
-        t117 = t107 - t110 * (limb1_upper_twist_vx + limb1_upper_offset_x * t111) + platform_twist_wx * t105  # limb5_S
+        t117 = (
+            t107 - t110 * (limb1_upper_twist_vx + limb1_upper_offset_x * t111) + platform_twist_wx * t105
+        )  # limb5_S
         t118 = minus_limb1_U_factor_0_by_3 * t117  # limb5_S
         limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos
         limb1_lower_alpha_still_x = limb1_U_v_1 * limb1_lower_omega_y
@@ -3390,11 +3614,13 @@ def acceleration(*arguments):
         t137 = t128 - limb1_U2_constraint_mn_couple_z * (t129 - limb1_lower_omega_y * t133)
         limb1_U2_opening_mn = limb1_lower_sin * t29 + limb1_lower_cos * platform_turn_xy
         t143 = t133 * (limb1_U2_opening_mn * t133 + limb1_U2_constraint_mn_couple_z * t124)
-        limb1_U2_opening_bias_mn = t137 - (t143 - t119 * (limb1_U2_constraint_mn_couple_x * t124 - limb1_U2_opening_mn * t119))
+        limb1_U2_opening_bias_mn = (
+            t137 - (t143 - t119 * (limb1_U2_constraint_mn_couple_x * t124 - limb1_U2_opening_mn * t119))
+        )
         # limb5_S: accelerations
         t149 = limb1_U_v_0 * t110
         t152 = limb1_U2_arm_x * t149 + limb1_U_v_1 * limb1_P_v
-        t156 = t152 - t99 * (limb1_P_v - 0.8 * t111)
+        t156 = t152 - t99 * (limb1_P_v - param_R * t111)
         minus_limb5_S_joint_acc_still_wz = t39 * (t118 - (limb1_U2_opening_bias_mn - t156 * limb1_U_factor_1_by_3))
         t162 = t96 + 0.5 * (t49 * minus_limb5_S_joint_acc_still_wz)
         t163 = t45 * t162
@@ -3409,26 +3635,30 @@ def acceleration(*arguments):
         # limb1: accelerations; reciprocal wrenches, eq. (10)
         t191 = t24 * (minus_limb1_upper_position_x * (limb1_U_0_cos * t186 - limb1_U_0_sin * limb5_S_joint_acc_wy))
         t192 = minus_limb5_S_joint_acc_wx - t191
-        minus_limb1_U_joint_acc_still_0 = t24 * (t117 + minus_limb1_upper_position_x * (limb1_U_0_cos * minus_limb5_S_joint_acc_still_wz))
+        minus_limb1_U_joint_acc_still_0 = (
+            t24 * (t117 + minus_limb1_upper_position_x * (limb1_U_0_cos * minus_limb5_S_joint_acc_still_wz))
+        )
         minus_limb1_U_joint_acc_0 = t192 + minus_limb1_U_joint_acc_still_0
         limb1_U_joint_acc_0 = -minus_limb1_U_joint_acc_0
         t198 = limb1_U_0_sin * t186 + limb1_U_0_cos * limb5_S_joint_acc_wy
         t199 = limb1_U2_arm_x * t198
         t200 = limb1_U_0_sin * minus_limb5_S_joint_acc_still_wz
         limb1_U_joint_acc_1 = t36 * (t199 - (t156 + limb1_U2_arm_x * t200))
-        minus_limb1_U2_arm_y = 0.8 * limb1_lower_cos
+        minus_limb1_U2_arm_y = param_R * limb1_lower_cos
         t204 = minus_limb1_U2_arm_y * t198
-        minus_limb1_P_joint_acc_still = minus_limb1_U2_arm_y * t149 + t99 * (0.8 * t102) + minus_limb1_U2_arm_y * t200
+        minus_limb1_P_joint_acc_still = (
+            minus_limb1_U2_arm_y * t149 + t99 * (param_R * t102) + minus_limb1_U2_arm_y * t200
+        )
         limb1_P_joint_acc = t204 - minus_limb1_P_joint_acc_still
         # limb2: geometry; reciprocal wrenches, eq. (10)
-        t210 = 2.6179938779914944 + limb2_U_q_1
+        t210 = limb_lower_phase_2 + limb2_U_q_1
         limb2_lower_cos = np.cos(t210)
-        limb2_upper_offset_x = 0.3 + limb2_P_q
+        limb2_upper_offset_x = limb_upper_phase + limb2_P_q
         minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x
         # limb2: accelerations; geometry; reciprocal wrenches, eq. (10)
         t211 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
         limb2_lower_sin = np.sin(t210)
-        minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
+        minus_limb2_upper_position_y = param_R - limb2_lower_sin * limb2_upper_offset_x
         limb2_U_0_sin = np.cos(limb2_U_q_0)
         t212 = limb2_U_0_sin * t186
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
@@ -3443,32 +3673,36 @@ def acceleration(*arguments):
         limb2_upper_twist_vy = limb2_P_v * limb2_lower_sin
         t232 = limb2_U_v_1 * limb2_lower_cos
         t238 = t228 + t231 * (limb2_upper_twist_vy + limb2_upper_offset_x * t232) - platform_twist_wy * t226
-        limb2_U_joint_acc_still_0 = t211 * (t238 + minus_limb2_upper_position_y * (limb2_U_0_sin * minus_limb5_S_joint_acc_still_wz))
+        limb2_U_joint_acc_still_0 = (
+            t211 * (t238 + minus_limb2_upper_position_y * (limb2_U_0_sin * minus_limb5_S_joint_acc_still_wz))
+        )
         limb2_U_joint_acc_0 = t217 + limb2_U_joint_acc_still_0
         t242 = limb2_lower_cos * t211
-        limb2_S_arm_x = limb2_upper_offset_x - 0.8 * limb2_lower_sin
+        limb2_S_arm_x = limb2_upper_offset_x - param_R * limb2_lower_sin
         t246 = minus_limb2_U_0_cos * t186 + limb2_U_0_sin * minus_limb5_S_joint_acc_wx
         t247 = limb2_S_arm_x * t246
         t248 = limb2_U_v_0 * t231
         t251 = limb2_S_arm_x * t248 + limb2_U_v_1 * limb2_P_v
-        t255 = t251 + t220 * (limb2_P_v - 0.8 * t232)
+        t255 = t251 + t220 * (limb2_P_v - param_R * t232)
         t256 = minus_limb2_U_0_cos * minus_limb5_S_joint_acc_still_wz
         minus_limb2_U_joint_acc_1 = t242 * (t247 + (t255 - limb2_S_arm_x * t256))
         limb2_U_joint_acc_1 = -minus_limb2_U_joint_acc_1
-        minus_limb2_S_arm_y = 0.8 * limb2_lower_cos
+        minus_limb2_S_arm_y = param_R * limb2_lower_cos
         t260 = minus_limb2_S_arm_y * t246
-        minus_limb2_P_joint_acc_still = minus_limb2_S_arm_y * t248 - t220 * (0.8 * t223) - minus_limb2_S_arm_y * t256
+        minus_limb2_P_joint_acc_still = (
+            minus_limb2_S_arm_y * t248 - t220 * (param_R * t223) - minus_limb2_S_arm_y * t256
+        )
         minus_limb2_P_joint_acc = t260 + minus_limb2_P_joint_acc_still
         limb2_P_joint_acc = -minus_limb2_P_joint_acc
         # limb3: geometry; reciprocal wrenches, eq. (10)
-        t266 = 0.5235987755982989 - limb3_U_q_1
+        t266 = limb_lower_phase - limb3_U_q_1
         limb3_lower_cos = np.cos(t266)
-        limb3_upper_offset_x = 0.3 + limb3_P_q
+        limb3_upper_offset_x = limb_upper_phase + limb3_P_q
         minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x
         # limb3: accelerations; geometry; reciprocal wrenches, eq. (10)
         t267 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
         minus_limb3_lower_sin = np.sin(t266)
-        limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
+        limb3_upper_position_x = param_R - minus_limb3_lower_sin * limb3_upper_offset_x
         limb3_U_0_cos = np.cos(limb3_U_q_0)
         t268 = limb3_U_0_cos * platform_twist_wy
         limb3_U_0_sin = np.sin(limb3_U_q_0)
@@ -3482,34 +3716,39 @@ def acceleration(*arguments):
         t282 = limb3_U_v_1 * limb3_lower_cos
         t286 = t278 - t281 * (minus_limb3_upper_twist_vx - limb3_upper_offset_x * t282)
         t288 = t286 + platform_twist_wx * t276
-        limb3_U_joint_acc_still_0 = t267 * (t288 + limb3_upper_position_x * (limb3_U_0_cos * minus_limb5_S_joint_acc_still_wz))
+        limb3_U_joint_acc_still_0 = (
+            t267 * (t288 + limb3_upper_position_x * (limb3_U_0_cos * minus_limb5_S_joint_acc_still_wz))
+        )
         t296 = t267 * (limb3_upper_position_x * (limb3_U_0_cos * t186 - limb3_U_0_sin * limb5_S_joint_acc_wy))
         limb3_U_joint_acc_0 = limb3_U_joint_acc_still_0 - (minus_limb5_S_joint_acc_wx + t296)
         t298 = limb3_lower_cos * t267
-        limb3_S_arm_x = limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin
+        limb3_S_arm_x = limb3_upper_offset_x - param_R * minus_limb3_lower_sin
         t302 = limb3_U_0_sin * t186 + limb3_U_0_cos * limb5_S_joint_acc_wy
         t303 = limb3_S_arm_x * t302
         t304 = limb3_U_v_0 * t281
         t307 = limb3_S_arm_x * t304 + limb3_U_v_1 * limb3_P_v
-        t311 = t307 - t270 * (limb3_P_v + 0.8 * t282)
+        t311 = t307 - t270 * (limb3_P_v + param_R * t282)
         t312 = limb3_U_0_sin * minus_limb5_S_joint_acc_still_wz
         limb3_U_joint_acc_1 = t298 * (t303 - (t311 + limb3_S_arm_x * t312))
-        limb3_S_arm_y = 0.8 * limb3_lower_cos
-        limb3_P_joint_acc_still = limb3_S_arm_y * t304 - t270 * (0.8 * t273) + limb3_S_arm_y * t312
+        limb3_S_arm_y = param_R * limb3_lower_cos
+        limb3_P_joint_acc_still = limb3_S_arm_y * t304 - t270 * (param_R * t273) + limb3_S_arm_y * t312
         limb3_P_joint_acc = limb3_P_joint_acc_still - limb3_S_arm_y * t302
         # limb4: geometry; reciprocal wrenches, eq. (10)
-        t322 = 2.6179938779914944 - limb4_U_q_1
+        t322 = limb_lower_phase_2 - limb4_U_q_1
         limb4_lower_cos = np.cos(t322)
-        limb4_upper_offset_x = 0.3 + limb4_P_q
+        limb4_upper_offset_x = limb_upper_phase + limb4_P_q
         minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x
         # limb4: accelerations; geometry; reciprocal wrenches, eq. (10)
         t323 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz
         minus_limb4_lower_sin = np.sin(t322)
-        limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
+        limb4_upper_position_y = param_R - minus_limb4_lower_sin * limb4_upper_offset_x
         limb4_U_0_sin = np.cos(limb4_U_q_0)
         t324 = limb4_U_0_sin * t186
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
-        t329 = limb5_S_joint_acc_wy + t323 * (limb4_upper_position_y * (t324 - minus_limb4_U_0_cos * minus_limb5_S_joint_acc_wx))
+        t329 = (
+            limb5_S_joint_acc_wy + t323 * (limb4_upper_position_y * (t324 - minus_limb4_U_0_cos *
+            minus_limb5_S_joint_acc_wx))
+        )
         t332 = minus_limb4_U_0_cos * platform_twist_wz - limb4_U_0_sin * platform_twist_wx
         t334 = limb4_upper_position_y * (limb4_U_v_0 * t332)
         t335 = limb4_U_v_1 * minus_limb4_lower_sin
@@ -3520,20 +3759,22 @@ def acceleration(*arguments):
         t344 = limb4_U_v_1 * limb4_lower_cos
         t348 = t340 + t343 * (minus_limb4_upper_twist_vy - limb4_upper_offset_x * t344)
         t350 = t348 - platform_twist_wy * t338
-        limb4_U_joint_acc_0 = t329 - t323 * (t350 + limb4_upper_position_y * (limb4_U_0_sin * minus_limb5_S_joint_acc_still_wz))
+        limb4_U_joint_acc_0 = (
+            t329 - t323 * (t350 + limb4_upper_position_y * (limb4_U_0_sin * minus_limb5_S_joint_acc_still_wz))
+        )
         t354 = limb4_lower_cos * t323
-        limb4_S_arm_x = limb4_upper_offset_x - 0.8 * minus_limb4_lower_sin
+        limb4_S_arm_x = limb4_upper_offset_x - param_R * minus_limb4_lower_sin
         t358 = minus_limb4_U_0_cos * t186 + limb4_U_0_sin * minus_limb5_S_joint_acc_wx
         t359 = limb4_S_arm_x * t358
         t360 = limb4_U_v_0 * t343
         t363 = limb4_S_arm_x * t360 + limb4_U_v_1 * limb4_P_v
-        t367 = t363 + t332 * (limb4_P_v + 0.8 * t344)
+        t367 = t363 + t332 * (limb4_P_v + param_R * t344)
         t368 = minus_limb4_U_0_cos * minus_limb5_S_joint_acc_still_wz
         minus_limb4_U_joint_acc_1 = t354 * (t359 + (t367 - limb4_S_arm_x * t368))
         limb4_U_joint_acc_1 = -minus_limb4_U_joint_acc_1
-        limb4_S_arm_y = 0.8 * limb4_lower_cos
+        limb4_S_arm_y = param_R * limb4_lower_cos
         t372 = limb4_S_arm_y * t358
-        limb4_P_joint_acc_still = limb4_S_arm_y * t360 + t332 * (0.8 * t335) - limb4_S_arm_y * t368
+        limb4_P_joint_acc_still = limb4_S_arm_y * t360 + t332 * (param_R * t335) - limb4_S_arm_y * t368
         limb4_P_joint_acc = t372 + limb4_P_joint_acc_still
         t380 = platform_turn_yx * limb5_S_joint_acc_wy - platform_turn_xx * minus_limb5_S_joint_acc_wx  # limb5_S
         minus_limb5_S_joint_acc_wz = minus_limb5_S_joint_acc_still_wz - t186
@@ -3542,22 +3783,29 @@ def acceleration(*arguments):
         limb5_S_a_wy = t384 - platform_turn_zy * minus_limb5_S_joint_acc_wz
         t388 = platform_turn_yz * limb5_S_joint_acc_wy - platform_turn_xz * minus_limb5_S_joint_acc_wx  # limb5_S
         limb5_S_a_wz = t388 - platform_turn_zz * minus_limb5_S_joint_acc_wz
+        guards = (  # status 1 where a pivot is smaller than its limit:
+            (minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-10),  # where the reciprocal wrench limb3_S.fz has no
+            # power along limb3_U.0, as in a stretched limb
+            (minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-10),  # where the reciprocal wrench limb2_S.fz has no
+            # power along limb2_U.0, as in a stretched limb
+            (minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-10),  # where the reciprocal wrench limb4_S.fz has no
+            # power along limb4_U.0, as in a stretched limb
+            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-10),  # where the reciprocal wrench limb1_U2.fz has
+            # no power along limb1_U.0, as in a stretched limb
+            (minus_limb5_S_pivot_wz, 1.0e-09),  # where the loops no longer determine limb5_S.wz
+            (a_pivot, 1.0e-09),  # where the elimination meets a singularity
+        )
         return _finish(batch, ((limb1_U_joint_acc_0, limb1_U_joint_acc_1, limb1_P_joint_acc,
             limb2_U_joint_acc_0, limb2_U_joint_acc_1, limb2_P_joint_acc, limb3_U_joint_acc_0,
             limb3_U_joint_acc_1, limb3_P_joint_acc, limb4_U_joint_acc_0, limb4_U_joint_acc_1,
-            limb4_P_joint_acc, limb5_S_a_wx, limb5_S_a_wy, limb5_S_a_wz),),
-            ((minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-10),
-            (minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-10),
-            (minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-10),
-            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-10), (minus_limb5_S_pivot_wz,
-            1.0e-09), (a_pivot, 1.0e-09)), (minus_limb1_U_0_lever_mz_by_limb1_U2_fz,
-            minus_limb5_S_pivot_wz, a_pivot, minus_limb1_U_joint_acc_0, limb1_U_joint_acc_1,
-            limb1_P_joint_acc, minus_limb2_U_0_lever_mz_by_limb2_S_fz, limb2_U_joint_acc_0,
-            minus_limb2_U_joint_acc_1, minus_limb2_P_joint_acc,
-            minus_limb3_U_0_lever_mz_by_limb3_S_fz, limb3_U_joint_acc_0, limb3_U_joint_acc_1,
-            limb3_P_joint_acc, minus_limb4_U_0_lever_mz_by_limb4_S_fz, limb4_U_joint_acc_0,
-            minus_limb4_U_joint_acc_1, limb4_P_joint_acc, limb5_S_a_wx, limb5_S_a_wy, limb5_S_a_wz),
-            ((t7, 0.999999, 1.000001, 5),))
+            limb4_P_joint_acc, limb5_S_a_wx, limb5_S_a_wy, limb5_S_a_wz),), guards,
+            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, minus_limb5_S_pivot_wz, a_pivot,
+            minus_limb1_U_joint_acc_0, limb1_U_joint_acc_1, limb1_P_joint_acc,
+            minus_limb2_U_0_lever_mz_by_limb2_S_fz, limb2_U_joint_acc_0, minus_limb2_U_joint_acc_1,
+            minus_limb2_P_joint_acc, minus_limb3_U_0_lever_mz_by_limb3_S_fz, limb3_U_joint_acc_0,
+            limb3_U_joint_acc_1, limb3_P_joint_acc, minus_limb4_U_0_lever_mz_by_limb4_S_fz,
+            limb4_U_joint_acc_0, minus_limb4_U_joint_acc_1, limb4_P_joint_acc, limb5_S_a_wx,
+            limb5_S_a_wy, limb5_S_a_wz), ((t7, 0.999999, 1.000001, 5),))
 
 
 def momentum_screws(*arguments):
@@ -3621,7 +3869,7 @@ def momentum_screws(*arguments):
         t7 = t3 + t6
         t9 = 4.0 - 2.0 * t7
         platform_turn_zz = 1.0 - t9 * (t2 + t4)
-        t12 = 0.5196152422706631 * platform_turn_zz
+        t12 = param_H * platform_turn_zz
         platform_turn_yy = 1.0 - t9 * (t2 + t5)
         t15 = limb5_S_v_wy * platform_turn_yy
         t16 = limb5_S_q_qy * t9
@@ -3635,7 +3883,7 @@ def momentum_screws(*arguments):
         platform_turn_yz = t22 - t24
         platform_twist_wy = t21 + limb5_S_v_wz * platform_turn_yz
         t26 = t12 * platform_twist_wy
-        t27 = 0.5196152422706631 * platform_turn_yz
+        t27 = param_H * platform_turn_yz
         t28 = limb5_S_v_wz * platform_turn_zz
         t29 = limb5_S_q_qx * t18
         t30 = limb5_S_q_qw * t16
@@ -3643,45 +3891,45 @@ def momentum_screws(*arguments):
         t31 = limb5_S_v_wx * platform_turn_zx
         platform_turn_zy = t22 + t24
         platform_twist_wz = t28 + (t31 + limb5_S_v_wy * platform_turn_zy)
-        platform_momentum_px = 2.87 * (t26 - t27 * platform_twist_wz)
+        platform_momentum_px = platform_m * (t26 - t27 * platform_twist_wz)
         platform_turn_xz = t29 + t30
         # platform: momentum, eq. (31); geometry; velocities, eq. (6)
-        t36 = 0.5196152422706631 * platform_turn_xz
+        t36 = param_H * platform_turn_xz
         t37 = t36 * platform_twist_wz
         platform_turn_xx = 1.0 - t6 * t9
         t39 = limb5_S_v_wx * platform_turn_xx
         platform_turn_xy = t17 - t19
         platform_twist_wx = t39 + limb5_S_v_wy * platform_turn_xy + limb5_S_v_wz * platform_turn_xz
-        platform_momentum_py = 2.87 * (t37 - t12 * platform_twist_wx)
-        platform_momentum_pz = 2.87 * (t27 * platform_twist_wx - t36 * platform_twist_wy)
+        platform_momentum_py = platform_m * (t37 - t12 * platform_twist_wx)
+        platform_momentum_pz = platform_m * (t27 * platform_twist_wx - t36 * platform_twist_wy)
         t50 = t27 * platform_momentum_pz - t12 * platform_momentum_py
-        t51 = 68.7 * platform_turn_xx
+        t51 = platform_Ixx * platform_turn_xx
         t52 = platform_turn_xx * t51
-        t53 = 68.7 * platform_turn_xy
+        t53 = platform_Ixx * platform_turn_xy
         t55 = t52 + platform_turn_xy * t53
-        t56 = 92.1 * platform_turn_xz
+        t56 = platform_Izz * platform_turn_xz
         t59 = platform_twist_wx * (t55 + platform_turn_xz * t56)
         t65 = platform_twist_wy * (platform_turn_yx * t51 + platform_turn_yy * t53 + platform_turn_yz * t56)
         t66 = t59 + t65
         t72 = platform_twist_wz * (platform_turn_zx * t51 + platform_turn_zy * t53 + platform_turn_zz * t56)
         platform_momentum_Lx = t50 + (t66 + t72)
         t76 = t12 * platform_momentum_px - t36 * platform_momentum_pz
-        t77 = 68.7 * platform_turn_yx
+        t77 = platform_Ixx * platform_turn_yx
         t78 = platform_turn_xx * t77
-        t79 = 68.7 * platform_turn_yy
+        t79 = platform_Ixx * platform_turn_yy
         t81 = t78 + platform_turn_xy * t79
-        t82 = 92.1 * platform_turn_yz
+        t82 = platform_Izz * platform_turn_yz
         t85 = platform_twist_wx * (t81 + platform_turn_xz * t82)
         t91 = platform_twist_wy * (platform_turn_yx * t77 + platform_turn_yy * t79 + platform_turn_yz * t82)
         t92 = t85 + t91
         t98 = platform_twist_wz * (platform_turn_zx * t77 + platform_turn_zy * t79 + platform_turn_zz * t82)
         platform_momentum_Ly = t76 + (t92 + t98)
         t102 = t36 * platform_momentum_py - t27 * platform_momentum_px
-        t103 = 68.7 * platform_turn_zx
+        t103 = platform_Ixx * platform_turn_zx
         t104 = platform_turn_xx * t103
-        t105 = 68.7 * platform_turn_zy
+        t105 = platform_Ixx * platform_turn_zy
         t107 = t104 + platform_turn_xy * t105
-        t108 = 92.1 * platform_turn_zz
+        t108 = platform_Izz * platform_turn_zz
         t111 = platform_twist_wx * (t107 + platform_turn_xz * t108)
         t117 = platform_twist_wy * (platform_turn_yx * t103 + platform_turn_yy * t105 + platform_turn_yz * t108)
         t118 = t111 + t117
@@ -3690,133 +3938,145 @@ def momentum_screws(*arguments):
         # limb1: geometry; velocities, eq. (6); momentum, eq. (31)
         limb1_U_0_cos = np.cos(limb1_U_q_0)
         limb1_lower_twist_wy = limb1_U_v_1 * limb1_U_0_cos
-        t126 = 0.5235987755982989 + limb1_U_q_1
+        t126 = limb_lower_phase + limb1_U_q_1
         limb1_lower_cos = np.cos(t126)
         limb1_lower_rotation_zx = limb1_U_0_cos * limb1_lower_cos
         t127 = 0.5 * limb1_lower_rotation_zx
         limb1_lower_sin = np.sin(t126)
         minus_limb1_lower_rotation_zy = limb1_U_0_cos * limb1_lower_sin
         # limb1: momentum, eq. (31); geometry; velocities, eq. (6)
-        t129 = t127 - 0.8660254037844386 * minus_limb1_lower_rotation_zy
-        t130 = 0.8 * t129
-        t131 = 0.725 * t129
-        t134 = 0.8660254037844386 * limb1_lower_rotation_zx + 0.5 * minus_limb1_lower_rotation_zy
-        t137 = t130 - (t131 - 0.12990381056766578 * t134)
+        t129 = t127 - k1 * minus_limb1_lower_rotation_zy
+        t130 = param_R * t129
+        t131 = limb_lower_com_x * t129
+        t134 = k1 * limb1_lower_rotation_zx + 0.5 * minus_limb1_lower_rotation_zy
+        t137 = t130 - (t131 - limb_lower_com_z * t134)
         t138 = limb1_lower_twist_wy * t137
         limb1_U_0_sin = np.sin(limb1_U_q_0)
         limb1_lower_twist_wz = limb1_U_v_1 * limb1_U_0_sin
         minus_limb1_lower_rotation_yx = limb1_U_0_sin * limb1_lower_cos
         t139 = 0.5 * minus_limb1_lower_rotation_yx
         limb1_lower_rotation_yy = limb1_U_0_sin * limb1_lower_sin
-        t141 = t139 - 0.8660254037844386 * limb1_lower_rotation_yy
-        t142 = 0.8 * t141
-        t143 = 0.725 * t141
-        t146 = 0.8660254037844386 * minus_limb1_lower_rotation_yx + 0.5 * limb1_lower_rotation_yy
-        t149 = t142 - (t143 - 0.12990381056766578 * t146)
-        limb1_lower_momentum_px = 1.42 * (t138 + limb1_lower_twist_wz * t149)
-        limb1_lower_twist_vy = limb1_U_v_1 * (0.8 * limb1_U_0_sin)
-        t154 = 0.5 * limb1_lower_sin + 0.8660254037844386 * limb1_lower_cos
-        t156 = 0.8 - 0.8 * t154
-        t157 = 0.725 * t154
-        t160 = 0.8660254037844386 * limb1_lower_sin - 0.5 * limb1_lower_cos
-        t163 = t156 + (t157 - 0.12990381056766578 * t160)
-        limb1_lower_momentum_py = 1.42 * (limb1_lower_twist_vy - (limb1_lower_twist_wz * t163 + limb1_U_v_0 * t137))
-        minus_limb1_lower_twist_vz = limb1_U_v_1 * (0.8 * limb1_U_0_cos)
-        minus_limb1_lower_momentum_pz = 1.42 * (minus_limb1_lower_twist_vz + (limb1_U_v_0 * t149 - limb1_lower_twist_wy * t163))
+        t141 = t139 - k1 * limb1_lower_rotation_yy
+        t142 = param_R * t141
+        t143 = limb_lower_com_x * t141
+        t146 = k1 * minus_limb1_lower_rotation_yx + 0.5 * limb1_lower_rotation_yy
+        t149 = t142 - (t143 - limb_lower_com_z * t146)
+        limb1_lower_momentum_px = limb_lower_m * (t138 + limb1_lower_twist_wz * t149)
+        limb1_lower_twist_vy = limb1_U_v_1 * (param_R * limb1_U_0_sin)
+        t154 = 0.5 * limb1_lower_sin + k1 * limb1_lower_cos
+        t156 = param_R - param_R * t154
+        t157 = limb_lower_com_x * t154
+        t160 = k1 * limb1_lower_sin - 0.5 * limb1_lower_cos
+        t163 = t156 + (t157 - limb_lower_com_z * t160)
+        limb1_lower_momentum_py = (
+            limb_lower_m * (limb1_lower_twist_vy - (limb1_lower_twist_wz * t163 + limb1_U_v_0 * t137))
+        )
+        minus_limb1_lower_twist_vz = limb1_U_v_1 * (param_R * limb1_U_0_cos)
+        minus_limb1_lower_momentum_pz = (
+            limb_lower_m * (minus_limb1_lower_twist_vz + (limb1_U_v_0 * t149 - limb1_lower_twist_wy * t163))
+        )
         limb1_lower_momentum_pz = -minus_limb1_lower_momentum_pz
         t174 = t149 * minus_limb1_lower_momentum_pz - t137 * limb1_lower_momentum_py
-        t177 = 0.8839 * t154 - 0.478219227969767 * t160
+        t177 = limb_lower_Ixx * t154 - limb_lower_Ixz * t160
         t178 = t154 * t177
-        t181 = 0.478219227969767 * t154 - 0.3317 * t160
+        t181 = limb_lower_Ixz * t154 - limb_lower_Izz * t160
         t184 = limb1_U_v_0 * (t178 - t160 * t181)
         t189 = t184 - limb1_lower_twist_wy * (t141 * t177 - t146 * t181)
         t194 = t189 + limb1_lower_twist_wz * (t129 * t177 - t134 * t181)
         limb1_lower_momentum_Lx = t174 + t194
         t197 = t137 * limb1_lower_momentum_px - t163 * minus_limb1_lower_momentum_pz
-        t200 = 0.8839 * t141 - 0.478219227969767 * t146
+        t200 = limb_lower_Ixx * t141 - limb_lower_Ixz * t146
         t201 = t154 * t200
-        t204 = 0.478219227969767 * t141 - 0.3317 * t146
+        t204 = limb_lower_Ixz * t141 - limb_lower_Izz * t146
         t207 = limb1_U_v_0 * (t201 - t160 * t204)
         t208 = t141 * t200
-        t209 = 1.14 * limb1_U_0_cos
+        t209 = limb_lower_Iyy * limb1_U_0_cos
         t215 = t207 - limb1_lower_twist_wy * (t208 + limb1_U_0_cos * t209 - t146 * t204)
         t221 = limb1_lower_twist_wz * (t129 * t200 - limb1_U_0_sin * t209 - t134 * t204)
         t222 = t215 + t221
         limb1_lower_momentum_Ly = t197 - t222
         t225 = t163 * limb1_lower_momentum_py - t149 * limb1_lower_momentum_px
-        t228 = 0.8839 * t129 - 0.478219227969767 * t134
+        t228 = limb_lower_Ixx * t129 - limb_lower_Ixz * t134
         t229 = t154 * t228
-        t232 = 0.478219227969767 * t129 - 0.3317 * t134
+        t232 = limb_lower_Ixz * t129 - limb_lower_Izz * t134
         t235 = limb1_U_v_0 * (t229 - t160 * t232)
         t236 = t141 * t228
-        t237 = 1.14 * limb1_U_0_sin
+        t237 = limb_lower_Iyy * limb1_U_0_sin
         t243 = t235 - limb1_lower_twist_wy * (t236 - limb1_U_0_cos * t237 - t146 * t232)
         t249 = limb1_lower_twist_wz * (t129 * t228 + limb1_U_0_sin * t237 - t134 * t232)
         t250 = t243 + t249
         minus_limb1_lower_momentum_Lz = t225 - t250
         limb1_lower_momentum_Lz = -minus_limb1_lower_momentum_Lz
         limb1_upper_twist_vx = limb1_P_v * limb1_lower_sin
-        limb1_upper_offset_x = 0.3 + limb1_P_q
-        t254 = limb1_upper_offset_x * limb1_lower_rotation_zx + (0.5 * t129 - 0.5196152422706631 * t134)
-        t258 = t254 - (0.575 * t129 - 0.3897114317029974 * t134)
+        limb1_upper_offset_x = limb_upper_phase + limb1_P_q
+        t254 = limb1_upper_offset_x * limb1_lower_rotation_zx + (0.5 * t129 - param_H * t134)
+        t258 = t254 - (limb_upper_com_x * t129 - limb_upper_com_z * t134)
         t259 = limb1_lower_twist_wy * t258
-        t263 = limb1_upper_offset_x * minus_limb1_lower_rotation_yx + (0.5 * t141 - 0.5196152422706631 * t146)
-        t267 = t263 - (0.575 * t141 - 0.3897114317029974 * t146)
-        limb1_upper_momentum_px = 1.42 * (limb1_upper_twist_vx + (t259 + limb1_lower_twist_wz * t267))
+        t263 = limb1_upper_offset_x * minus_limb1_lower_rotation_yx + (0.5 * t141 - param_H * t146)
+        t267 = t263 - (limb_upper_com_x * t141 - limb_upper_com_z * t146)
+        limb1_upper_momentum_px = limb_lower_m * (limb1_upper_twist_vx + (t259 + limb1_lower_twist_wz * t267))
         limb1_upper_twist_vy = limb1_lower_twist_vy - limb1_P_v * minus_limb1_lower_rotation_yx
-        t275 = 0.8 - limb1_lower_sin * limb1_upper_offset_x - (0.5 * t154 - 0.5196152422706631 * t160)
-        t279 = t275 + (0.575 * t154 - 0.3897114317029974 * t160)
-        limb1_upper_momentum_py = 1.42 * (limb1_upper_twist_vy - (limb1_lower_twist_wz * t279 + limb1_U_v_0 * t258))
+        t275 = param_R - limb1_lower_sin * limb1_upper_offset_x - (0.5 * t154 - param_H * t160)
+        t279 = t275 + (limb_upper_com_x * t154 - limb_upper_com_z * t160)
+        limb1_upper_momentum_py = (
+            limb_lower_m * (limb1_upper_twist_vy - (limb1_lower_twist_wz * t279 + limb1_U_v_0 * t258))
+        )
         minus_limb1_upper_twist_vz = minus_limb1_lower_twist_vz - limb1_P_v * limb1_lower_rotation_zx
-        minus_limb1_upper_momentum_pz = 1.42 * (minus_limb1_upper_twist_vz + (limb1_U_v_0 * t267 - limb1_lower_twist_wy * t279))
+        minus_limb1_upper_momentum_pz = (
+            limb_lower_m * (minus_limb1_upper_twist_vz + (limb1_U_v_0 * t267 - limb1_lower_twist_wy * t279))
+        )
         limb1_upper_momentum_pz = -minus_limb1_upper_momentum_pz
         limb1_upper_momentum_Lx = t194 + (t267 * minus_limb1_upper_momentum_pz - t258 * limb1_upper_momentum_py)
-        minus_limb1_upper_momentum_Ly = t222 - (t258 * limb1_upper_momentum_px - t279 * minus_limb1_upper_momentum_pz)
+        minus_limb1_upper_momentum_Ly = (
+            t222 - (t258 * limb1_upper_momentum_px - t279 * minus_limb1_upper_momentum_pz)
+        )
         limb1_upper_momentum_Ly = -minus_limb1_upper_momentum_Ly
         limb1_upper_momentum_Lz = t250 - (t279 * limb1_upper_momentum_py - t267 * limb1_upper_momentum_px)
         # limb2: geometry; velocities, eq. (6)
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
-        limb2_lower_twist_vx = limb2_U_v_1 * (0.8 * minus_limb2_U_0_cos)
+        limb2_lower_twist_vx = limb2_U_v_1 * (param_R * minus_limb2_U_0_cos)
         limb2_U_0_sin = np.cos(limb2_U_q_0)
-        t298 = 2.6179938779914944 + limb2_U_q_1
+        t298 = limb_lower_phase_2 + limb2_U_q_1
         limb2_lower_cos = np.cos(t298)
         minus_limb2_lower_rotation_zx = limb2_U_0_sin * limb2_lower_cos
         # limb2: momentum, eq. (31); geometry; velocities, eq. (6)
         t299 = 0.5 * minus_limb2_lower_rotation_zx
         limb2_lower_sin = np.sin(t298)
         limb2_lower_rotation_zy = limb2_U_0_sin * limb2_lower_sin
-        t301 = t299 + 0.8660254037844386 * limb2_lower_rotation_zy
-        t302 = 0.8 * t301
-        t303 = 0.725 * t301
-        t306 = 0.8660254037844386 * minus_limb2_lower_rotation_zx - 0.5 * limb2_lower_rotation_zy
-        t309 = t302 - (t303 - 0.12990381056766578 * t306)
+        t301 = t299 + k1 * limb2_lower_rotation_zy
+        t302 = param_R * t301
+        t303 = limb_lower_com_x * t301
+        t306 = k1 * minus_limb2_lower_rotation_zx - 0.5 * limb2_lower_rotation_zy
+        t309 = t302 - (t303 - limb_lower_com_z * t306)
         t310 = limb2_U_v_0 * t309
         minus_limb2_lower_twist_wz = limb2_U_v_1 * minus_limb2_U_0_cos
-        t313 = 0.5 * limb2_lower_sin - 0.8660254037844386 * limb2_lower_cos
-        t315 = 0.8 - 0.8 * t313
-        t316 = 0.725 * t313
-        t319 = 0.8660254037844386 * limb2_lower_sin + 0.5 * limb2_lower_cos
-        t322 = t315 + (t316 - 0.12990381056766578 * t319)
-        limb2_lower_momentum_px = 1.42 * (limb2_lower_twist_vx - (t310 + minus_limb2_lower_twist_wz * t322))
+        t313 = 0.5 * limb2_lower_sin - k1 * limb2_lower_cos
+        t315 = param_R - param_R * t313
+        t316 = limb_lower_com_x * t313
+        t319 = k1 * limb2_lower_sin + 0.5 * limb2_lower_cos
+        t322 = t315 + (t316 - limb_lower_com_z * t319)
+        limb2_lower_momentum_px = limb_lower_m * (limb2_lower_twist_vx - (t310 + minus_limb2_lower_twist_wz * t322))
         minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos
         t326 = 0.5 * minus_limb2_lower_rotation_xx
         limb2_lower_rotation_xy = minus_limb2_U_0_cos * limb2_lower_sin
-        t328 = t326 + 0.8660254037844386 * limb2_lower_rotation_xy
-        t329 = 0.8 * t328
-        t330 = 0.725 * t328
-        t333 = 0.8660254037844386 * minus_limb2_lower_rotation_xx - 0.5 * limb2_lower_rotation_xy
-        t336 = t329 - (t330 - 0.12990381056766578 * t333)
+        t328 = t326 + k1 * limb2_lower_rotation_xy
+        t329 = param_R * t328
+        t330 = limb_lower_com_x * t328
+        t333 = k1 * minus_limb2_lower_rotation_xx - 0.5 * limb2_lower_rotation_xy
+        t336 = t329 - (t330 - limb_lower_com_z * t333)
         t337 = minus_limb2_lower_twist_wz * t336
         limb2_lower_twist_wx = limb2_U_v_1 * limb2_U_0_sin
-        limb2_lower_momentum_py = 1.42 * (t337 + limb2_lower_twist_wx * t309)
-        limb2_lower_twist_vz = limb2_U_v_1 * (0.8 * limb2_U_0_sin)
-        limb2_lower_momentum_pz = 1.42 * (limb2_lower_twist_vz - (limb2_lower_twist_wx * t322 - limb2_U_v_0 * t336))
+        limb2_lower_momentum_py = limb_lower_m * (t337 + limb2_lower_twist_wx * t309)
+        limb2_lower_twist_vz = limb2_U_v_1 * (param_R * limb2_U_0_sin)
+        limb2_lower_momentum_pz = (
+            limb_lower_m * (limb2_lower_twist_vz - (limb2_lower_twist_wx * t322 - limb2_U_v_0 * t336))
+        )
         t346 = t322 * limb2_lower_momentum_pz - t309 * limb2_lower_momentum_py
-        t347 = 1.14 * limb2_U_0_sin
+        t347 = limb_lower_Iyy * limb2_U_0_sin
         t348 = limb2_U_0_sin * t347
-        t351 = 0.8839 * t328 - 0.478219227969767 * t333
+        t351 = limb_lower_Ixx * t328 - limb_lower_Ixz * t333
         t353 = t348 + t328 * t351
-        t356 = 0.478219227969767 * t328 - 0.3317 * t333
+        t356 = limb_lower_Ixz * t328 - limb_lower_Izz * t333
         t359 = limb2_lower_twist_wx * (t353 - t333 * t356)
         t364 = t359 - limb2_U_v_0 * (t313 * t351 - t319 * t356)
         t370 = minus_limb2_lower_twist_wz * (minus_limb2_U_0_cos * t347 - t301 * t351 + t306 * t356)
@@ -3824,20 +4084,20 @@ def momentum_screws(*arguments):
         minus_limb2_lower_momentum_Lx = t346 - t371
         limb2_lower_momentum_Lx = -minus_limb2_lower_momentum_Lx
         t374 = t309 * limb2_lower_momentum_px - t336 * limb2_lower_momentum_pz
-        t377 = 0.8839 * t313 - 0.478219227969767 * t319
+        t377 = limb_lower_Ixx * t313 - limb_lower_Ixz * t319
         t378 = t328 * t377
-        t381 = 0.478219227969767 * t313 - 0.3317 * t319
+        t381 = limb_lower_Ixz * t313 - limb_lower_Izz * t319
         t384 = limb2_lower_twist_wx * (t378 - t333 * t381)
         t389 = t384 - limb2_U_v_0 * (t313 * t377 - t319 * t381)
         t394 = t389 - minus_limb2_lower_twist_wz * (t301 * t377 - t306 * t381)
         minus_limb2_lower_momentum_Ly = t374 + t394
         limb2_lower_momentum_Ly = -minus_limb2_lower_momentum_Ly
         t397 = t336 * limb2_lower_momentum_py - t322 * limb2_lower_momentum_px
-        t398 = 1.14 * minus_limb2_U_0_cos
+        t398 = limb_lower_Iyy * minus_limb2_U_0_cos
         t399 = limb2_U_0_sin * t398
-        t402 = 0.8839 * t301 - 0.478219227969767 * t306
+        t402 = limb_lower_Ixx * t301 - limb_lower_Ixz * t306
         t404 = t399 - t328 * t402
-        t407 = 0.478219227969767 * t301 - 0.3317 * t306
+        t407 = limb_lower_Ixz * t301 - limb_lower_Izz * t306
         t410 = limb2_lower_twist_wx * (t404 + t333 * t407)
         t415 = t410 + limb2_U_v_0 * (t313 * t402 - t319 * t407)
         t421 = minus_limb2_lower_twist_wz * (minus_limb2_U_0_cos * t398 + t301 * t402 - t306 * t407)
@@ -3845,19 +4105,24 @@ def momentum_screws(*arguments):
         minus_limb2_lower_momentum_Lz = t397 + t422
         limb2_lower_momentum_Lz = -minus_limb2_lower_momentum_Lz
         limb2_upper_twist_vx = limb2_lower_twist_vx - limb2_P_v * minus_limb2_lower_rotation_xx
-        limb2_upper_offset_x = 0.3 + limb2_P_q
-        t427 = limb2_upper_offset_x * minus_limb2_lower_rotation_zx + (0.5 * t301 - 0.5196152422706631 * t306)
-        t431 = t427 - (0.575 * t301 - 0.3897114317029974 * t306)
+        limb2_upper_offset_x = limb_upper_phase + limb2_P_q
+        t427 = limb2_upper_offset_x * minus_limb2_lower_rotation_zx + (0.5 * t301 - param_H * t306)
+        t431 = t427 - (limb_upper_com_x * t301 - limb_upper_com_z * t306)
         t432 = limb2_U_v_0 * t431
-        t436 = 0.8 - limb2_lower_sin * limb2_upper_offset_x - (0.5 * t313 - 0.5196152422706631 * t319)
-        t440 = t436 + (0.575 * t313 - 0.3897114317029974 * t319)
-        limb2_upper_momentum_px = 1.42 * (limb2_upper_twist_vx - (t432 + minus_limb2_lower_twist_wz * t440))
+        t436 = param_R - limb2_lower_sin * limb2_upper_offset_x - (0.5 * t313 - param_H * t319)
+        t440 = t436 + (limb_upper_com_x * t313 - limb_upper_com_z * t319)
+        limb2_upper_momentum_px = limb_lower_m * (limb2_upper_twist_vx - (t432 + minus_limb2_lower_twist_wz * t440))
         limb2_upper_twist_vy = limb2_P_v * limb2_lower_sin
-        t447 = limb2_upper_offset_x * minus_limb2_lower_rotation_xx + (0.5 * t328 - 0.5196152422706631 * t333)
-        t451 = t447 - (0.575 * t328 - 0.3897114317029974 * t333)
-        limb2_upper_momentum_py = 1.42 * (limb2_upper_twist_vy + (minus_limb2_lower_twist_wz * t451 + limb2_lower_twist_wx * t431))
+        t447 = limb2_upper_offset_x * minus_limb2_lower_rotation_xx + (0.5 * t328 - param_H * t333)
+        t451 = t447 - (limb_upper_com_x * t328 - limb_upper_com_z * t333)
+        limb2_upper_momentum_py = (
+            limb_lower_m * (limb2_upper_twist_vy + (minus_limb2_lower_twist_wz * t451 + limb2_lower_twist_wx *
+            t431))
+        )
         limb2_upper_twist_vz = limb2_lower_twist_vz - limb2_P_v * minus_limb2_lower_rotation_zx
-        limb2_upper_momentum_pz = 1.42 * (limb2_upper_twist_vz - (limb2_lower_twist_wx * t440 - limb2_U_v_0 * t451))
+        limb2_upper_momentum_pz = (
+            limb_lower_m * (limb2_upper_twist_vz - (limb2_lower_twist_wx * t440 - limb2_U_v_0 * t451))
+        )
         limb2_upper_momentum_Lx = t371 - (t440 * limb2_upper_momentum_pz - t431 * limb2_upper_momentum_py)
         minus_limb2_upper_momentum_Ly = t394 + (t431 * limb2_upper_momentum_px - t451 * limb2_upper_momentum_pz)
         limb2_upper_momentum_Ly = -minus_limb2_upper_momentum_Ly
@@ -3866,137 +4131,153 @@ def momentum_screws(*arguments):
         # limb3: geometry; velocities, eq. (6); momentum, eq. (31)
         limb3_U_0_cos = np.cos(limb3_U_q_0)
         limb3_lower_twist_wy = limb3_U_v_1 * limb3_U_0_cos
-        t470 = 0.5235987755982989 - limb3_U_q_1
+        t470 = limb_lower_phase - limb3_U_q_1
         limb3_lower_cos = np.cos(t470)
         limb3_lower_rotation_zx = limb3_U_0_cos * limb3_lower_cos
         t471 = 0.5 * limb3_lower_rotation_zx
         minus_limb3_lower_sin = np.sin(t470)
         limb3_lower_rotation_zy = limb3_U_0_cos * minus_limb3_lower_sin
         # limb3: momentum, eq. (31); geometry; velocities, eq. (6)
-        t473 = t471 - 0.8660254037844386 * limb3_lower_rotation_zy
-        t474 = 0.8 * t473
-        t475 = 0.725 * t473
-        t478 = 0.8660254037844386 * limb3_lower_rotation_zx + 0.5 * limb3_lower_rotation_zy
-        t481 = t474 - (t475 - 0.12990381056766578 * t478)
+        t473 = t471 - k1 * limb3_lower_rotation_zy
+        t474 = param_R * t473
+        t475 = limb_lower_com_x * t473
+        t478 = k1 * limb3_lower_rotation_zx + 0.5 * limb3_lower_rotation_zy
+        t481 = t474 - (t475 - limb_lower_com_z * t478)
         t482 = limb3_lower_twist_wy * t481
         limb3_U_0_sin = np.sin(limb3_U_q_0)
         limb3_lower_twist_wz = limb3_U_v_1 * limb3_U_0_sin
         minus_limb3_lower_rotation_yx = limb3_U_0_sin * limb3_lower_cos
         t483 = 0.5 * minus_limb3_lower_rotation_yx
         minus_limb3_lower_rotation_yy = limb3_U_0_sin * minus_limb3_lower_sin
-        t485 = t483 - 0.8660254037844386 * minus_limb3_lower_rotation_yy
-        t486 = 0.8 * t485
-        t487 = 0.725 * t485
-        t490 = 0.8660254037844386 * minus_limb3_lower_rotation_yx + 0.5 * minus_limb3_lower_rotation_yy
-        t493 = t486 - (t487 - 0.12990381056766578 * t490)
-        limb3_lower_momentum_px = 1.42 * (t482 + limb3_lower_twist_wz * t493)
-        minus_limb3_lower_twist_vy = limb3_U_v_1 * (0.8 * limb3_U_0_sin)
-        t498 = 0.5 * minus_limb3_lower_sin + 0.8660254037844386 * limb3_lower_cos
-        t500 = 0.8 - 0.8 * t498
-        t501 = 0.725 * t498
-        t504 = 0.8660254037844386 * minus_limb3_lower_sin - 0.5 * limb3_lower_cos
-        t507 = t500 + (t501 - 0.12990381056766578 * t504)
-        minus_limb3_lower_momentum_py = 1.42 * (minus_limb3_lower_twist_vy - (limb3_lower_twist_wz * t507 - limb3_U_v_0 * t481))
+        t485 = t483 - k1 * minus_limb3_lower_rotation_yy
+        t486 = param_R * t485
+        t487 = limb_lower_com_x * t485
+        t490 = k1 * minus_limb3_lower_rotation_yx + 0.5 * minus_limb3_lower_rotation_yy
+        t493 = t486 - (t487 - limb_lower_com_z * t490)
+        limb3_lower_momentum_px = limb_lower_m * (t482 + limb3_lower_twist_wz * t493)
+        minus_limb3_lower_twist_vy = limb3_U_v_1 * (param_R * limb3_U_0_sin)
+        t498 = 0.5 * minus_limb3_lower_sin + k1 * limb3_lower_cos
+        t500 = param_R - param_R * t498
+        t501 = limb_lower_com_x * t498
+        t504 = k1 * minus_limb3_lower_sin - 0.5 * limb3_lower_cos
+        t507 = t500 + (t501 - limb_lower_com_z * t504)
+        minus_limb3_lower_momentum_py = (
+            limb_lower_m * (minus_limb3_lower_twist_vy - (limb3_lower_twist_wz * t507 - limb3_U_v_0 * t481))
+        )
         limb3_lower_momentum_py = -minus_limb3_lower_momentum_py
-        limb3_lower_twist_vz = limb3_U_v_1 * (0.8 * limb3_U_0_cos)
-        limb3_lower_momentum_pz = 1.42 * (limb3_lower_twist_vz - (limb3_U_v_0 * t493 + limb3_lower_twist_wy * t507))
+        limb3_lower_twist_vz = limb3_U_v_1 * (param_R * limb3_U_0_cos)
+        limb3_lower_momentum_pz = (
+            limb_lower_m * (limb3_lower_twist_vz - (limb3_U_v_0 * t493 + limb3_lower_twist_wy * t507))
+        )
         t518 = t493 * limb3_lower_momentum_pz - t481 * minus_limb3_lower_momentum_py
-        t521 = 0.8839 * t498 - 0.478219227969767 * t504
+        t521 = limb_lower_Ixx * t498 - limb_lower_Ixz * t504
         t522 = t498 * t521
-        t525 = 0.478219227969767 * t498 - 0.3317 * t504
+        t525 = limb_lower_Ixz * t498 - limb_lower_Izz * t504
         t528 = limb3_U_v_0 * (t522 - t504 * t525)
         t533 = t528 + limb3_lower_twist_wy * (t485 * t521 - t490 * t525)
         t538 = t533 - limb3_lower_twist_wz * (t473 * t521 - t478 * t525)
         minus_limb3_lower_momentum_Lx = t518 - t538
         limb3_lower_momentum_Lx = -minus_limb3_lower_momentum_Lx
         t541 = t481 * limb3_lower_momentum_px - t507 * limb3_lower_momentum_pz
-        t544 = 0.8839 * t485 - 0.478219227969767 * t490
+        t544 = limb_lower_Ixx * t485 - limb_lower_Ixz * t490
         t545 = t498 * t544
-        t548 = 0.478219227969767 * t485 - 0.3317 * t490
+        t548 = limb_lower_Ixz * t485 - limb_lower_Izz * t490
         t551 = limb3_U_v_0 * (t545 - t504 * t548)
         t552 = t485 * t544
-        t553 = 1.14 * limb3_U_0_cos
+        t553 = limb_lower_Iyy * limb3_U_0_cos
         t559 = t551 + limb3_lower_twist_wy * (t552 + limb3_U_0_cos * t553 - t490 * t548)
         t565 = limb3_lower_twist_wz * (t473 * t544 - limb3_U_0_sin * t553 - t478 * t548)
         t566 = t559 - t565
         limb3_lower_momentum_Ly = t541 + t566
         t569 = t507 * minus_limb3_lower_momentum_py - t493 * limb3_lower_momentum_px
-        t572 = 0.8839 * t473 - 0.478219227969767 * t478
+        t572 = limb_lower_Ixx * t473 - limb_lower_Ixz * t478
         t573 = t498 * t572
-        t576 = 0.478219227969767 * t473 - 0.3317 * t478
+        t576 = limb_lower_Ixz * t473 - limb_lower_Izz * t478
         t579 = limb3_U_v_0 * (t573 - t504 * t576)
         t580 = t485 * t572
-        t581 = 1.14 * limb3_U_0_sin
+        t581 = limb_lower_Iyy * limb3_U_0_sin
         t587 = t579 + limb3_lower_twist_wy * (t580 - limb3_U_0_cos * t581 - t490 * t576)
         t593 = limb3_lower_twist_wz * (t473 * t572 + limb3_U_0_sin * t581 - t478 * t576)
         t594 = t587 - t593
         minus_limb3_lower_momentum_Lz = t569 + t594
         limb3_lower_momentum_Lz = -minus_limb3_lower_momentum_Lz
         minus_limb3_upper_twist_vx = limb3_P_v * minus_limb3_lower_sin
-        limb3_upper_offset_x = 0.3 + limb3_P_q
-        t598 = limb3_upper_offset_x * limb3_lower_rotation_zx + (0.5 * t473 - 0.5196152422706631 * t478)
-        t602 = t598 - (0.575 * t473 - 0.3897114317029974 * t478)
+        limb3_upper_offset_x = limb_upper_phase + limb3_P_q
+        t598 = limb3_upper_offset_x * limb3_lower_rotation_zx + (0.5 * t473 - param_H * t478)
+        t602 = t598 - (limb_upper_com_x * t473 - limb_upper_com_z * t478)
         t603 = limb3_lower_twist_wy * t602
-        t607 = limb3_upper_offset_x * minus_limb3_lower_rotation_yx + (0.5 * t485 - 0.5196152422706631 * t490)
-        t611 = t607 - (0.575 * t485 - 0.3897114317029974 * t490)
-        minus_limb3_upper_momentum_px = 1.42 * (minus_limb3_upper_twist_vx - (t603 + limb3_lower_twist_wz * t611))
+        t607 = limb3_upper_offset_x * minus_limb3_lower_rotation_yx + (0.5 * t485 - param_H * t490)
+        t611 = t607 - (limb_upper_com_x * t485 - limb_upper_com_z * t490)
+        minus_limb3_upper_momentum_px = (
+            limb_lower_m * (minus_limb3_upper_twist_vx - (t603 + limb3_lower_twist_wz * t611))
+        )
         limb3_upper_momentum_px = -minus_limb3_upper_momentum_px
         minus_limb3_upper_twist_vy = minus_limb3_lower_twist_vy + limb3_P_v * minus_limb3_lower_rotation_yx
-        t619 = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x - (0.5 * t498 - 0.5196152422706631 * t504)
-        t623 = t619 + (0.575 * t498 - 0.3897114317029974 * t504)
-        minus_limb3_upper_momentum_py = 1.42 * (minus_limb3_upper_twist_vy - (limb3_lower_twist_wz * t623 - limb3_U_v_0 * t602))
+        t619 = param_R - minus_limb3_lower_sin * limb3_upper_offset_x - (0.5 * t498 - param_H * t504)
+        t623 = t619 + (limb_upper_com_x * t498 - limb_upper_com_z * t504)
+        minus_limb3_upper_momentum_py = (
+            limb_lower_m * (minus_limb3_upper_twist_vy - (limb3_lower_twist_wz * t623 - limb3_U_v_0 * t602))
+        )
         limb3_upper_momentum_py = -minus_limb3_upper_momentum_py
         limb3_upper_twist_vz = limb3_lower_twist_vz + limb3_P_v * limb3_lower_rotation_zx
-        limb3_upper_momentum_pz = 1.42 * (limb3_upper_twist_vz - (limb3_U_v_0 * t611 + limb3_lower_twist_wy * t623))
+        limb3_upper_momentum_pz = (
+            limb_lower_m * (limb3_upper_twist_vz - (limb3_U_v_0 * t611 + limb3_lower_twist_wy * t623))
+        )
         limb3_upper_momentum_Lx = t538 - (t611 * limb3_upper_momentum_pz - t602 * minus_limb3_upper_momentum_py)
         limb3_upper_momentum_Ly = t566 - (t602 * minus_limb3_upper_momentum_px + t623 * limb3_upper_momentum_pz)
-        minus_limb3_upper_momentum_Lz = t594 + (t623 * minus_limb3_upper_momentum_py + t611 * minus_limb3_upper_momentum_px)
+        minus_limb3_upper_momentum_Lz = (
+            t594 + (t623 * minus_limb3_upper_momentum_py + t611 * minus_limb3_upper_momentum_px)
+        )
         limb3_upper_momentum_Lz = -minus_limb3_upper_momentum_Lz
         # limb4: geometry; velocities, eq. (6)
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
-        minus_limb4_lower_twist_vx = limb4_U_v_1 * (0.8 * minus_limb4_U_0_cos)
+        minus_limb4_lower_twist_vx = limb4_U_v_1 * (param_R * minus_limb4_U_0_cos)
         limb4_U_0_sin = np.cos(limb4_U_q_0)
-        t642 = 2.6179938779914944 - limb4_U_q_1
+        t642 = limb_lower_phase_2 - limb4_U_q_1
         limb4_lower_cos = np.cos(t642)
         minus_limb4_lower_rotation_zx = limb4_U_0_sin * limb4_lower_cos
         # limb4: momentum, eq. (31); geometry; velocities, eq. (6)
         t643 = 0.5 * minus_limb4_lower_rotation_zx
         minus_limb4_lower_sin = np.sin(t642)
         minus_limb4_lower_rotation_zy = limb4_U_0_sin * minus_limb4_lower_sin
-        t645 = t643 + 0.8660254037844386 * minus_limb4_lower_rotation_zy
-        t646 = 0.8 * t645
-        t647 = 0.725 * t645
-        t650 = 0.8660254037844386 * minus_limb4_lower_rotation_zx - 0.5 * minus_limb4_lower_rotation_zy
-        t653 = t646 - (t647 - 0.12990381056766578 * t650)
+        t645 = t643 + k1 * minus_limb4_lower_rotation_zy
+        t646 = param_R * t645
+        t647 = limb_lower_com_x * t645
+        t650 = k1 * minus_limb4_lower_rotation_zx - 0.5 * minus_limb4_lower_rotation_zy
+        t653 = t646 - (t647 - limb_lower_com_z * t650)
         t654 = limb4_U_v_0 * t653
         minus_limb4_lower_twist_wz = limb4_U_v_1 * minus_limb4_U_0_cos
-        t657 = 0.5 * minus_limb4_lower_sin - 0.8660254037844386 * limb4_lower_cos
-        t659 = 0.8 - 0.8 * t657
-        t660 = 0.725 * t657
-        t663 = 0.8660254037844386 * minus_limb4_lower_sin + 0.5 * limb4_lower_cos
-        t666 = t659 + (t660 - 0.12990381056766578 * t663)
-        minus_limb4_lower_momentum_px = 1.42 * (minus_limb4_lower_twist_vx + (t654 - minus_limb4_lower_twist_wz * t666))
+        t657 = 0.5 * minus_limb4_lower_sin - k1 * limb4_lower_cos
+        t659 = param_R - param_R * t657
+        t660 = limb_lower_com_x * t657
+        t663 = k1 * minus_limb4_lower_sin + 0.5 * limb4_lower_cos
+        t666 = t659 + (t660 - limb_lower_com_z * t663)
+        minus_limb4_lower_momentum_px = (
+            limb_lower_m * (minus_limb4_lower_twist_vx + (t654 - minus_limb4_lower_twist_wz * t666))
+        )
         limb4_lower_momentum_px = -minus_limb4_lower_momentum_px
         minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos
         t670 = 0.5 * minus_limb4_lower_rotation_xx
         minus_limb4_lower_rotation_xy = minus_limb4_U_0_cos * minus_limb4_lower_sin
-        t672 = t670 + 0.8660254037844386 * minus_limb4_lower_rotation_xy
-        t673 = 0.8 * t672
-        t674 = 0.725 * t672
-        t677 = 0.8660254037844386 * minus_limb4_lower_rotation_xx - 0.5 * minus_limb4_lower_rotation_xy
-        t680 = t673 - (t674 - 0.12990381056766578 * t677)
+        t672 = t670 + k1 * minus_limb4_lower_rotation_xy
+        t673 = param_R * t672
+        t674 = limb_lower_com_x * t672
+        t677 = k1 * minus_limb4_lower_rotation_xx - 0.5 * minus_limb4_lower_rotation_xy
+        t680 = t673 - (t674 - limb_lower_com_z * t677)
         t681 = minus_limb4_lower_twist_wz * t680
         limb4_lower_twist_wx = limb4_U_v_1 * limb4_U_0_sin
-        limb4_lower_momentum_py = 1.42 * (t681 + limb4_lower_twist_wx * t653)
-        minus_limb4_lower_twist_vz = limb4_U_v_1 * (0.8 * limb4_U_0_sin)
-        minus_limb4_lower_momentum_pz = 1.42 * (minus_limb4_lower_twist_vz - (limb4_lower_twist_wx * t666 + limb4_U_v_0 * t680))
+        limb4_lower_momentum_py = limb_lower_m * (t681 + limb4_lower_twist_wx * t653)
+        minus_limb4_lower_twist_vz = limb4_U_v_1 * (param_R * limb4_U_0_sin)
+        minus_limb4_lower_momentum_pz = (
+            limb_lower_m * (minus_limb4_lower_twist_vz - (limb4_lower_twist_wx * t666 + limb4_U_v_0 * t680))
+        )
         limb4_lower_momentum_pz = -minus_limb4_lower_momentum_pz
         t690 = t666 * minus_limb4_lower_momentum_pz - t653 * limb4_lower_momentum_py
-        t691 = 1.14 * limb4_U_0_sin
+        t691 = limb_lower_Iyy * limb4_U_0_sin
         t692 = limb4_U_0_sin * t691
-        t695 = 0.8839 * t672 - 0.478219227969767 * t677
+        t695 = limb_lower_Ixx * t672 - limb_lower_Ixz * t677
         t697 = t692 + t672 * t695
-        t700 = 0.478219227969767 * t672 - 0.3317 * t677
+        t700 = limb_lower_Ixz * t672 - limb_lower_Izz * t677
         t703 = limb4_lower_twist_wx * (t697 - t677 * t700)
         t708 = t703 + limb4_U_v_0 * (t657 * t695 - t663 * t700)
         t714 = minus_limb4_lower_twist_wz * (minus_limb4_U_0_cos * t691 - t645 * t695 + t650 * t700)
@@ -4004,19 +4285,19 @@ def momentum_screws(*arguments):
         minus_limb4_lower_momentum_Lx = t690 - t715
         limb4_lower_momentum_Lx = -minus_limb4_lower_momentum_Lx
         t718 = t653 * minus_limb4_lower_momentum_px - t680 * minus_limb4_lower_momentum_pz
-        t721 = 0.8839 * t657 - 0.478219227969767 * t663
+        t721 = limb_lower_Ixx * t657 - limb_lower_Ixz * t663
         t722 = t672 * t721
-        t725 = 0.478219227969767 * t657 - 0.3317 * t663
+        t725 = limb_lower_Ixz * t657 - limb_lower_Izz * t663
         t728 = limb4_lower_twist_wx * (t722 - t677 * t725)
         t733 = t728 + limb4_U_v_0 * (t657 * t721 - t663 * t725)
         t738 = t733 - minus_limb4_lower_twist_wz * (t645 * t721 - t650 * t725)
         limb4_lower_momentum_Ly = t718 + t738
         t741 = t680 * limb4_lower_momentum_py - t666 * minus_limb4_lower_momentum_px
-        t742 = 1.14 * minus_limb4_U_0_cos
+        t742 = limb_lower_Iyy * minus_limb4_U_0_cos
         t743 = limb4_U_0_sin * t742
-        t746 = 0.8839 * t645 - 0.478219227969767 * t650
+        t746 = limb_lower_Ixx * t645 - limb_lower_Ixz * t650
         t748 = t743 - t672 * t746
-        t751 = 0.478219227969767 * t645 - 0.3317 * t650
+        t751 = limb_lower_Ixz * t645 - limb_lower_Izz * t650
         t754 = limb4_lower_twist_wx * (t748 + t677 * t751)
         t759 = t754 - limb4_U_v_0 * (t657 * t746 - t663 * t751)
         t765 = minus_limb4_lower_twist_wz * (minus_limb4_U_0_cos * t742 + t645 * t746 - t650 * t751)
@@ -4024,46 +4305,80 @@ def momentum_screws(*arguments):
         minus_limb4_lower_momentum_Lz = t741 + t766
         limb4_lower_momentum_Lz = -minus_limb4_lower_momentum_Lz
         minus_limb4_upper_twist_vx = minus_limb4_lower_twist_vx + limb4_P_v * minus_limb4_lower_rotation_xx
-        limb4_upper_offset_x = 0.3 + limb4_P_q
-        t771 = limb4_upper_offset_x * minus_limb4_lower_rotation_zx + (0.5 * t645 - 0.5196152422706631 * t650)
-        t775 = t771 - (0.575 * t645 - 0.3897114317029974 * t650)
+        limb4_upper_offset_x = limb_upper_phase + limb4_P_q
+        t771 = limb4_upper_offset_x * minus_limb4_lower_rotation_zx + (0.5 * t645 - param_H * t650)
+        t775 = t771 - (limb_upper_com_x * t645 - limb_upper_com_z * t650)
         t776 = limb4_U_v_0 * t775
-        t780 = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x - (0.5 * t657 - 0.5196152422706631 * t663)
-        t784 = t780 + (0.575 * t657 - 0.3897114317029974 * t663)
-        minus_limb4_upper_momentum_px = 1.42 * (minus_limb4_upper_twist_vx + (t776 - minus_limb4_lower_twist_wz * t784))
+        t780 = param_R - minus_limb4_lower_sin * limb4_upper_offset_x - (0.5 * t657 - param_H * t663)
+        t784 = t780 + (limb_upper_com_x * t657 - limb_upper_com_z * t663)
+        minus_limb4_upper_momentum_px = (
+            limb_lower_m * (minus_limb4_upper_twist_vx + (t776 - minus_limb4_lower_twist_wz * t784))
+        )
         limb4_upper_momentum_px = -minus_limb4_upper_momentum_px
         minus_limb4_upper_twist_vy = limb4_P_v * minus_limb4_lower_sin
-        t791 = limb4_upper_offset_x * minus_limb4_lower_rotation_xx + (0.5 * t672 - 0.5196152422706631 * t677)
-        t795 = t791 - (0.575 * t672 - 0.3897114317029974 * t677)
+        t791 = limb4_upper_offset_x * minus_limb4_lower_rotation_xx + (0.5 * t672 - param_H * t677)
+        t795 = t791 - (limb_upper_com_x * t672 - limb_upper_com_z * t677)
         t799 = minus_limb4_upper_twist_vy - (minus_limb4_lower_twist_wz * t795 + limb4_lower_twist_wx * t775)
-        minus_limb4_upper_momentum_py = 1.42 * t799
+        minus_limb4_upper_momentum_py = limb_lower_m * t799
         limb4_upper_momentum_py = -minus_limb4_upper_momentum_py
         minus_limb4_upper_twist_vz = minus_limb4_lower_twist_vz + limb4_P_v * minus_limb4_lower_rotation_zx
-        minus_limb4_upper_momentum_pz = 1.42 * (minus_limb4_upper_twist_vz - (limb4_lower_twist_wx * t784 + limb4_U_v_0 * t795))
+        minus_limb4_upper_momentum_pz = (
+            limb_lower_m * (minus_limb4_upper_twist_vz - (limb4_lower_twist_wx * t784 + limb4_U_v_0 * t795))
+        )
         limb4_upper_momentum_pz = -minus_limb4_upper_momentum_pz
-        limb4_upper_momentum_Lx = t715 - (t784 * minus_limb4_upper_momentum_pz + t775 * minus_limb4_upper_momentum_py)
-        limb4_upper_momentum_Ly = t738 + (t775 * minus_limb4_upper_momentum_px - t795 * minus_limb4_upper_momentum_pz)
-        minus_limb4_upper_momentum_Lz = t766 - (t795 * minus_limb4_upper_momentum_py + t784 * minus_limb4_upper_momentum_px)
+        limb4_upper_momentum_Lx = (
+            t715 - (t784 * minus_limb4_upper_momentum_pz + t775 * minus_limb4_upper_momentum_py)
+        )
+        limb4_upper_momentum_Ly = (
+            t738 + (t775 * minus_limb4_upper_momentum_px - t795 * minus_limb4_upper_momentum_pz)
+        )
+        minus_limb4_upper_momentum_Lz = (
+            t766 - (t795 * minus_limb4_upper_momentum_py + t784 * minus_limb4_upper_momentum_px)
+        )
         limb4_upper_momentum_Lz = -minus_limb4_upper_momentum_Lz
         # px: results
         t816 = platform_momentum_px + limb1_lower_momentum_px + limb1_upper_momentum_px + limb2_lower_momentum_px
-        t820 = t816 + limb2_upper_momentum_px + limb3_lower_momentum_px - minus_limb3_upper_momentum_px - minus_limb4_lower_momentum_px
+        t820 = (
+            t816 + limb2_upper_momentum_px + limb3_lower_momentum_px - minus_limb3_upper_momentum_px -
+            minus_limb4_lower_momentum_px
+        )
         px_total = t820 - minus_limb4_upper_momentum_px
         t823 = platform_momentum_py + limb1_lower_momentum_py + limb1_upper_momentum_py + limb2_lower_momentum_py
         t826 = t823 + limb2_upper_momentum_py - minus_limb3_lower_momentum_py - minus_limb3_upper_momentum_py
         py_total = t826 + limb4_lower_momentum_py - minus_limb4_upper_momentum_py
-        t830 = platform_momentum_pz - minus_limb1_lower_momentum_pz - minus_limb1_upper_momentum_pz + limb2_lower_momentum_pz
-        t834 = t830 + limb2_upper_momentum_pz + limb3_lower_momentum_pz + limb3_upper_momentum_pz - minus_limb4_lower_momentum_pz
+        t830 = (
+            platform_momentum_pz - minus_limb1_lower_momentum_pz - minus_limb1_upper_momentum_pz +
+            limb2_lower_momentum_pz
+        )
+        t834 = (
+            t830 + limb2_upper_momentum_pz + limb3_lower_momentum_pz + limb3_upper_momentum_pz -
+            minus_limb4_lower_momentum_pz
+        )
         pz_total = t834 - minus_limb4_upper_momentum_pz
-        t837 = platform_momentum_Lx + limb1_lower_momentum_Lx + limb1_upper_momentum_Lx - minus_limb2_lower_momentum_Lx
-        t841 = t837 + limb2_upper_momentum_Lx - minus_limb3_lower_momentum_Lx + limb3_upper_momentum_Lx - minus_limb4_lower_momentum_Lx
+        t837 = (
+            platform_momentum_Lx + limb1_lower_momentum_Lx + limb1_upper_momentum_Lx - minus_limb2_lower_momentum_Lx
+        )
+        t841 = (
+            t837 + limb2_upper_momentum_Lx - minus_limb3_lower_momentum_Lx + limb3_upper_momentum_Lx -
+            minus_limb4_lower_momentum_Lx
+        )
         Lx_total = t841 + limb4_upper_momentum_Lx
-        t844 = platform_momentum_Ly + limb1_lower_momentum_Ly - minus_limb1_upper_momentum_Ly - minus_limb2_lower_momentum_Ly
-        t848 = t844 - minus_limb2_upper_momentum_Ly + limb3_lower_momentum_Ly + limb3_upper_momentum_Ly + limb4_lower_momentum_Ly
+        t844 = (
+            platform_momentum_Ly + limb1_lower_momentum_Ly - minus_limb1_upper_momentum_Ly -
+            minus_limb2_lower_momentum_Ly
+        )
+        t848 = (
+            t844 - minus_limb2_upper_momentum_Ly + limb3_lower_momentum_Ly + limb3_upper_momentum_Ly +
+            limb4_lower_momentum_Ly
+        )
         Ly_total = t848 + limb4_upper_momentum_Ly
-        t851 = platform_momentum_Lz - minus_limb1_lower_momentum_Lz + limb1_upper_momentum_Lz - minus_limb2_lower_momentum_Lz
+        t851 = (
+            platform_momentum_Lz - minus_limb1_lower_momentum_Lz + limb1_upper_momentum_Lz -
+            minus_limb2_lower_momentum_Lz
+        )
         t854 = t851 - minus_limb2_upper_momentum_Lz - minus_limb3_lower_momentum_Lz - minus_limb3_upper_momentum_Lz
         Lz_total = t854 - minus_limb4_lower_momentum_Lz - minus_limb4_upper_momentum_Lz
+        guards = ()
         return _finish(batch, ((platform_momentum_px, platform_momentum_py, platform_momentum_pz,
             platform_momentum_Lx, platform_momentum_Ly, platform_momentum_Lz,
             limb1_lower_momentum_px, limb1_lower_momentum_py, limb1_lower_momentum_pz,
@@ -4082,8 +4397,8 @@ def momentum_screws(*arguments):
             limb4_lower_momentum_Lx, limb4_lower_momentum_Ly, limb4_lower_momentum_Lz,
             limb4_upper_momentum_px, limb4_upper_momentum_py, limb4_upper_momentum_pz,
             limb4_upper_momentum_Lx, limb4_upper_momentum_Ly, limb4_upper_momentum_Lz), (px_total,
-            py_total, pz_total, Lx_total, Ly_total, Lz_total)), (), (px_total, py_total, pz_total,
-            Lx_total, Ly_total, Lz_total), ((t7, 0.999999, 1.000001, 5),))
+            py_total, pz_total, Lx_total, Ly_total, Lz_total)), guards, (px_total, py_total,
+            pz_total, Lx_total, Ly_total, Lz_total), ((t7, 0.999999, 1.000001, 5),))
 
 
 def momentum_rates(*arguments):
@@ -4162,7 +4477,7 @@ def momentum_rates(*arguments):
         t21 = limb5_S_q_qw * (limb5_S_q_qx * t9)
         platform_turn_yz = t19 - t21
         platform_twist_wy = t18 + limb5_S_v_wz * platform_turn_yz
-        t23 = 0.5196152422706631 * platform_turn_yz
+        t23 = param_H * platform_turn_yz
         platform_turn_xx = 1.0 - t6 * t9
         t25 = limb5_S_v_wx * platform_turn_xx
         platform_turn_xy = t14 - t16
@@ -4172,8 +4487,8 @@ def momentum_rates(*arguments):
         platform_turn_xz = t28 + t29
         platform_twist_wx = t27 + limb5_S_v_wz * platform_turn_xz
         t31 = t23 * platform_twist_wx
-        t32 = 0.5196152422706631 * platform_turn_xz
-        platform_momentum_pz = 2.87 * (t31 - t32 * platform_twist_wy)
+        t32 = param_H * platform_turn_xz
+        platform_momentum_pz = platform_m * (t31 - t32 * platform_twist_wy)
         t35 = platform_twist_wy * platform_momentum_pz
         platform_turn_zz = 1.0 - t9 * (t2 + t4)
         t38 = limb5_S_v_wz * platform_turn_zz
@@ -4182,8 +4497,8 @@ def momentum_rates(*arguments):
         platform_turn_zy = t19 + t21
         platform_twist_wz = t38 + (t39 + limb5_S_v_wy * platform_turn_zy)
         t42 = t32 * platform_twist_wz
-        t43 = 0.5196152422706631 * platform_turn_zz
-        platform_momentum_py = 2.87 * (t42 - t43 * platform_twist_wx)
+        t43 = param_H * platform_turn_zz
+        platform_momentum_py = platform_m * (t42 - t43 * platform_twist_wx)
         t47 = t35 - platform_twist_wz * platform_momentum_py
         t50 = limb5_S_a_wx * platform_turn_yx + limb5_S_a_wy * platform_turn_yy
         platform_twist_rate_wy = t50 + limb5_S_a_wz * platform_turn_yz
@@ -4191,25 +4506,25 @@ def momentum_rates(*arguments):
         t55 = limb5_S_a_wx * platform_turn_zx + limb5_S_a_wy * platform_turn_zy
         platform_twist_rate_wz = t55 + limb5_S_a_wz * platform_turn_zz
         # platform: momentum rate, eq. (35); momentum, eq. (31); accelerations
-        t59 = 2.87 * (t52 - t23 * platform_twist_rate_wz)
+        t59 = platform_m * (t52 - t23 * platform_twist_rate_wz)
         platform_rate_at_O_fx = t47 + t59
-        platform_momentum_px = 2.87 * (t43 * platform_twist_wy - t23 * platform_twist_wz)
+        platform_momentum_px = platform_m * (t43 * platform_twist_wy - t23 * platform_twist_wz)
         t65 = platform_twist_wz * platform_momentum_px - platform_twist_wx * platform_momentum_pz
         t66 = t32 * platform_twist_rate_wz
         t69 = limb5_S_a_wx * platform_turn_xx + limb5_S_a_wy * platform_turn_xy
         platform_twist_rate_wx = t69 + limb5_S_a_wz * platform_turn_xz
-        t73 = 2.87 * (t66 - t43 * platform_twist_rate_wx)
+        t73 = platform_m * (t66 - t43 * platform_twist_rate_wx)
         platform_rate_at_O_fy = t65 + t73
         t76 = platform_twist_wx * platform_momentum_py - platform_twist_wy * platform_momentum_px
-        t80 = 2.87 * (t23 * platform_twist_rate_wx - t32 * platform_twist_rate_wy)
+        t80 = platform_m * (t23 * platform_twist_rate_wx - t32 * platform_twist_rate_wy)
         platform_rate_at_O_fz = t76 + t80
         # platform: momentum, eq. (31); momentum rate, eq. (35)
         t83 = t32 * platform_momentum_py - t23 * platform_momentum_px
-        t84 = 68.7 * platform_turn_zx
+        t84 = platform_Ixx * platform_turn_zx
         t85 = platform_turn_xx * t84
-        t86 = 68.7 * platform_turn_zy
+        t86 = platform_Ixx * platform_turn_zy
         t88 = t85 + platform_turn_xy * t86
-        t89 = 92.1 * platform_turn_zz
+        t89 = platform_Izz * platform_turn_zz
         t91 = t88 + platform_turn_xz * t89
         t92 = platform_twist_wx * t91
         t97 = platform_turn_yx * t84 + platform_turn_yy * t86 + platform_turn_yz * t89
@@ -4218,11 +4533,11 @@ def momentum_rates(*arguments):
         platform_momentum_Lz = t83 + (t99 + platform_twist_wz * t104)
         t107 = platform_twist_wy * platform_momentum_Lz
         t110 = t43 * platform_momentum_px - t32 * platform_momentum_pz
-        t111 = 68.7 * platform_turn_yx
+        t111 = platform_Ixx * platform_turn_yx
         t112 = platform_turn_xx * t111
-        t113 = 68.7 * platform_turn_yy
+        t113 = platform_Ixx * platform_turn_yy
         t115 = t112 + platform_turn_xy * t113
-        t116 = 92.1 * platform_turn_yz
+        t116 = platform_Izz * platform_turn_yz
         t118 = t115 + platform_turn_xz * t116
         t119 = platform_twist_wx * t118
         t124 = platform_turn_yx * t111 + platform_turn_yy * t113 + platform_turn_yz * t116
@@ -4232,11 +4547,11 @@ def momentum_rates(*arguments):
         # platform: momentum rate, eq. (35); momentum, eq. (31)
         t135 = t107 - platform_twist_wz * platform_momentum_Ly
         t138 = t23 * t80 - t43 * t73
-        t139 = 68.7 * platform_turn_xx
+        t139 = platform_Ixx * platform_turn_xx
         t140 = platform_turn_xx * t139
-        t141 = 68.7 * platform_turn_xy
+        t141 = platform_Ixx * platform_turn_xy
         t143 = t140 + platform_turn_xy * t141
-        t144 = 92.1 * platform_turn_xz
+        t144 = platform_Izz * platform_turn_xz
         t146 = t143 + platform_turn_xz * t144
         t147 = platform_twist_rate_wx * t146
         t152 = platform_turn_yx * t139 + platform_turn_yy * t141 + platform_turn_yz * t144
@@ -4244,7 +4559,9 @@ def momentum_rates(*arguments):
         t159 = platform_turn_zx * t139 + platform_turn_zy * t141 + platform_turn_zz * t144
         platform_rate_at_O_mx = t135 + (t138 + (t154 + platform_twist_rate_wz * t159))
         t165 = t23 * platform_momentum_pz - t43 * platform_momentum_py
-        platform_momentum_Lx = t165 + (platform_twist_wx * t146 + platform_twist_wy * t152 + platform_twist_wz * t159)
+        platform_momentum_Lx = (
+            t165 + (platform_twist_wx * t146 + platform_twist_wy * t152 + platform_twist_wz * t159)
+        )
         t173 = platform_twist_wz * platform_momentum_Lx - platform_twist_wx * platform_momentum_Lz
         t176 = t43 * t59 - t32 * t80
         t181 = platform_twist_rate_wx * t118 + platform_twist_rate_wy * t124 + platform_twist_rate_wz * t131
@@ -4258,60 +4575,71 @@ def momentum_rates(*arguments):
         t195 = limb1_U_a_1 * limb1_U_0_cos
         limb1_U_0_sin = np.sin(limb1_U_q_0)
         limb1_lower_twist_rate_wy = t195 - limb1_U_v_1 * (limb1_U_v_0 * limb1_U_0_sin)
-        t198 = 0.5235987755982989 + limb1_U_q_1
+        t198 = limb_lower_phase + limb1_U_q_1
         limb1_lower_cos = np.cos(t198)
         limb1_lower_rotation_zx = limb1_U_0_cos * limb1_lower_cos
         # limb1: momentum rate, eq. (35); geometry; velocities, eq. (6)
         t199 = 0.5 * limb1_lower_rotation_zx
         limb1_lower_sin = np.sin(t198)
         minus_limb1_lower_rotation_zy = limb1_U_0_cos * limb1_lower_sin
-        t201 = t199 - 0.8660254037844386 * minus_limb1_lower_rotation_zy
-        t202 = 0.8 * t201
-        t203 = 0.725 * t201
-        t206 = 0.8660254037844386 * limb1_lower_rotation_zx + 0.5 * minus_limb1_lower_rotation_zy
-        t209 = t202 - (t203 - 0.12990381056766578 * t206)
+        t201 = t199 - k1 * minus_limb1_lower_rotation_zy
+        t202 = param_R * t201
+        t203 = limb_lower_com_x * t201
+        t206 = k1 * limb1_lower_rotation_zx + 0.5 * minus_limb1_lower_rotation_zy
+        t209 = t202 - (t203 - limb_lower_com_z * t206)
         t210 = limb1_lower_twist_rate_wy * t209
         limb1_lower_twist_rate_wz = limb1_U_a_1 * limb1_U_0_sin + limb1_U_v_1 * (limb1_U_v_0 * limb1_U_0_cos)
         minus_limb1_lower_rotation_yx = limb1_U_0_sin * limb1_lower_cos
         t214 = 0.5 * minus_limb1_lower_rotation_yx
         limb1_lower_rotation_yy = limb1_U_0_sin * limb1_lower_sin
-        t216 = t214 - 0.8660254037844386 * limb1_lower_rotation_yy
-        t217 = 0.8 * t216
-        t218 = 0.725 * t216
-        t221 = 0.8660254037844386 * minus_limb1_lower_rotation_yx + 0.5 * limb1_lower_rotation_yy
-        t224 = t217 - (t218 - 0.12990381056766578 * t221)
-        t227 = 1.42 * (t210 + limb1_lower_twist_rate_wz * t224)
+        t216 = t214 - k1 * limb1_lower_rotation_yy
+        t217 = param_R * t216
+        t218 = limb_lower_com_x * t216
+        t221 = k1 * minus_limb1_lower_rotation_yx + 0.5 * limb1_lower_rotation_yy
+        t224 = t217 - (t218 - limb_lower_com_z * t221)
+        t227 = limb_lower_m * (t210 + limb1_lower_twist_rate_wz * t224)
         limb1_lower_twist_wy = limb1_U_v_1 * limb1_U_0_cos
-        minus_limb1_U_1_screw_vz = 0.8 * limb1_U_0_cos
+        minus_limb1_U_1_screw_vz = param_R * limb1_U_0_cos
         minus_limb1_lower_twist_vz = limb1_U_v_1 * minus_limb1_U_1_screw_vz
         # limb1: momentum, eq. (31); momentum rate, eq. (35); velocities, eq. (6)
         t228 = limb1_U_v_0 * t224
-        t231 = 0.5 * limb1_lower_sin + 0.8660254037844386 * limb1_lower_cos
-        t233 = 0.8 - 0.8 * t231
-        t234 = 0.725 * t231
-        t237 = 0.8660254037844386 * limb1_lower_sin - 0.5 * limb1_lower_cos
-        t240 = t233 + (t234 - 0.12990381056766578 * t237)
-        minus_limb1_lower_momentum_pz = 1.42 * (minus_limb1_lower_twist_vz + (t228 - limb1_lower_twist_wy * t240))
+        t231 = 0.5 * limb1_lower_sin + k1 * limb1_lower_cos
+        t233 = param_R - param_R * t231
+        t234 = limb_lower_com_x * t231
+        t237 = k1 * limb1_lower_sin - 0.5 * limb1_lower_cos
+        t240 = t233 + (t234 - limb_lower_com_z * t237)
+        minus_limb1_lower_momentum_pz = (
+            limb_lower_m * (minus_limb1_lower_twist_vz + (t228 - limb1_lower_twist_wy * t240))
+        )
         t244 = limb1_lower_twist_wy * minus_limb1_lower_momentum_pz
         limb1_lower_twist_wz = limb1_U_v_1 * limb1_U_0_sin
-        limb1_U_1_screw_vy = 0.8 * limb1_U_0_sin
+        limb1_U_1_screw_vy = param_R * limb1_U_0_sin
         limb1_lower_twist_vy = limb1_U_v_1 * limb1_U_1_screw_vy
-        limb1_lower_momentum_py = 1.42 * (limb1_lower_twist_vy - (limb1_lower_twist_wz * t240 + limb1_U_v_0 * t209))
+        limb1_lower_momentum_py = (
+            limb_lower_m * (limb1_lower_twist_vy - (limb1_lower_twist_wz * t240 + limb1_U_v_0 * t209))
+        )
         # limb1: momentum rate, eq. (35); momentum, eq. (31); accelerations
         limb1_lower_rate_at_O_fx = t227 - (t244 + limb1_lower_twist_wz * limb1_lower_momentum_py)
-        limb1_lower_momentum_px = 1.42 * (limb1_lower_twist_wy * t209 + limb1_lower_twist_wz * t224)
+        limb1_lower_momentum_px = limb_lower_m * (limb1_lower_twist_wy * t209 + limb1_lower_twist_wz * t224)
         t256 = limb1_lower_twist_wz * limb1_lower_momentum_px + limb1_U_v_0 * minus_limb1_lower_momentum_pz
-        limb1_lower_twist_rate_vy = limb1_U_a_1 * limb1_U_1_screw_vy + limb1_U_v_1 * (limb1_U_v_0 * minus_limb1_U_1_screw_vz)
-        t264 = 1.42 * (limb1_lower_twist_rate_vy - (limb1_lower_twist_rate_wz * t240 + limb1_U_a_0 * t209))
+        limb1_lower_twist_rate_vy = (
+            limb1_U_a_1 * limb1_U_1_screw_vy + limb1_U_v_1 * (limb1_U_v_0 * minus_limb1_U_1_screw_vz)
+        )
+        t264 = limb_lower_m * (limb1_lower_twist_rate_vy - (limb1_lower_twist_rate_wz * t240 + limb1_U_a_0 * t209))
         limb1_lower_rate_at_O_fy = t256 + t264
         t267 = limb1_U_v_0 * limb1_lower_momentum_py - limb1_lower_twist_wy * limb1_lower_momentum_px
-        minus_limb1_lower_twist_rate_vz = limb1_U_a_1 * minus_limb1_U_1_screw_vz - limb1_U_v_1 * (limb1_U_v_0 * limb1_U_1_screw_vy)
-        t275 = 1.42 * (minus_limb1_lower_twist_rate_vz + (limb1_U_a_0 * t224 - limb1_lower_twist_rate_wy * t240))
+        minus_limb1_lower_twist_rate_vz = (
+            limb1_U_a_1 * minus_limb1_U_1_screw_vz - limb1_U_v_1 * (limb1_U_v_0 * limb1_U_1_screw_vy)
+        )
+        t275 = (
+            limb_lower_m * (minus_limb1_lower_twist_rate_vz + (limb1_U_a_0 * t224 - limb1_lower_twist_rate_wy *
+            t240))
+        )
         limb1_lower_rate_at_O_fz = t267 - t275
         t278 = t224 * t275 - t209 * t264
-        t281 = 0.8839 * t231 - 0.478219227969767 * t237
+        t281 = limb_lower_Ixx * t231 - limb_lower_Ixz * t237
         t282 = t231 * t281
-        t285 = 0.478219227969767 * t231 - 0.3317 * t237
+        t285 = limb_lower_Ixz * t231 - limb_lower_Izz * t237
         t287 = t282 - t237 * t285
         t288 = limb1_U_a_0 * t287
         t291 = t216 * t281 - t221 * t285
@@ -4321,13 +4649,13 @@ def momentum_rates(*arguments):
         t299 = t278 + t298
         # limb1: momentum, eq. (31); momentum rate, eq. (35)
         t302 = t240 * limb1_lower_momentum_py - t224 * limb1_lower_momentum_px
-        t305 = 0.8839 * t201 - 0.478219227969767 * t206
+        t305 = limb_lower_Ixx * t201 - limb_lower_Ixz * t206
         t306 = t231 * t305
-        t309 = 0.478219227969767 * t201 - 0.3317 * t206
+        t309 = limb_lower_Ixz * t201 - limb_lower_Izz * t206
         t311 = t306 - t237 * t309
         t312 = limb1_U_v_0 * t311
         t313 = t216 * t305
-        t314 = 1.14 * limb1_U_0_sin
+        t314 = limb_lower_Iyy * limb1_U_0_sin
         t318 = t313 - limb1_U_0_cos * t314 - t221 * t309
         t320 = t312 - limb1_lower_twist_wy * t318
         t325 = t201 * t305 + limb1_U_0_sin * t314 - t206 * t309
@@ -4335,13 +4663,13 @@ def momentum_rates(*arguments):
         minus_limb1_lower_momentum_Lz = t302 - t327
         t328 = limb1_lower_twist_wy * minus_limb1_lower_momentum_Lz
         t331 = t209 * limb1_lower_momentum_px - t240 * minus_limb1_lower_momentum_pz
-        t334 = 0.8839 * t216 - 0.478219227969767 * t221
+        t334 = limb_lower_Ixx * t216 - limb_lower_Ixz * t221
         t335 = t231 * t334
-        t338 = 0.478219227969767 * t216 - 0.3317 * t221
+        t338 = limb_lower_Ixz * t216 - limb_lower_Izz * t221
         t340 = t335 - t237 * t338
         t341 = limb1_U_v_0 * t340
         t342 = t216 * t334
-        t343 = 1.14 * limb1_U_0_cos
+        t343 = limb_lower_Iyy * limb1_U_0_cos
         t347 = t342 + limb1_U_0_cos * t343 - t221 * t338
         t349 = t341 - limb1_lower_twist_wy * t347
         t354 = t201 * t334 - limb1_U_0_sin * t343 - t206 * t338
@@ -4367,37 +4695,47 @@ def momentum_rates(*arguments):
         t399 = limb1_P_a * limb1_lower_sin
         t400 = limb1_lower_rotation_zx * limb1_lower_twist_wy
         limb1_upper_twist_rate_vx = t399 + limb1_P_v * (t400 + minus_limb1_lower_rotation_yx * limb1_lower_twist_wz)
-        limb1_upper_offset_x = 0.3 + limb1_P_q
-        t407 = limb1_upper_offset_x * limb1_lower_rotation_zx + (0.5 * t201 - 0.5196152422706631 * t206)
-        t411 = t407 - (0.575 * t201 - 0.3897114317029974 * t206)
+        limb1_upper_offset_x = limb_upper_phase + limb1_P_q
+        t407 = limb1_upper_offset_x * limb1_lower_rotation_zx + (0.5 * t201 - param_H * t206)
+        t411 = t407 - (limb_upper_com_x * t201 - limb_upper_com_z * t206)
         t412 = limb1_lower_twist_rate_wy * t411
-        t416 = limb1_upper_offset_x * minus_limb1_lower_rotation_yx + (0.5 * t216 - 0.5196152422706631 * t221)
-        t420 = t416 - (0.575 * t216 - 0.3897114317029974 * t221)
-        t424 = 1.42 * (limb1_upper_twist_rate_vx + (t412 + limb1_lower_twist_rate_wz * t420))
+        t416 = limb1_upper_offset_x * minus_limb1_lower_rotation_yx + (0.5 * t216 - param_H * t221)
+        t420 = t416 - (limb_upper_com_x * t216 - limb_upper_com_z * t221)
+        t424 = limb_lower_m * (limb1_upper_twist_rate_vx + (t412 + limb1_lower_twist_rate_wz * t420))
         minus_limb1_upper_twist_vz = minus_limb1_lower_twist_vz - limb1_P_v * limb1_lower_rotation_zx
         t426 = limb1_U_v_0 * t420
-        t430 = 0.8 - limb1_lower_sin * limb1_upper_offset_x - (0.5 * t231 - 0.5196152422706631 * t237)
-        t434 = t430 + (0.575 * t231 - 0.3897114317029974 * t237)
-        minus_limb1_upper_momentum_pz = 1.42 * (minus_limb1_upper_twist_vz + (t426 - limb1_lower_twist_wy * t434))
+        t430 = param_R - limb1_lower_sin * limb1_upper_offset_x - (0.5 * t231 - param_H * t237)
+        t434 = t430 + (limb_upper_com_x * t231 - limb_upper_com_z * t237)
+        minus_limb1_upper_momentum_pz = (
+            limb_lower_m * (minus_limb1_upper_twist_vz + (t426 - limb1_lower_twist_wy * t434))
+        )
         t438 = limb1_lower_twist_wy * minus_limb1_upper_momentum_pz
         limb1_upper_twist_vy = limb1_lower_twist_vy - limb1_P_v * minus_limb1_lower_rotation_yx
-        limb1_upper_momentum_py = 1.42 * (limb1_upper_twist_vy - (limb1_lower_twist_wz * t434 + limb1_U_v_0 * t411))
+        limb1_upper_momentum_py = (
+            limb_lower_m * (limb1_upper_twist_vy - (limb1_lower_twist_wz * t434 + limb1_U_v_0 * t411))
+        )
         limb1_upper_rate_at_O_fx = t424 - (t438 + limb1_lower_twist_wz * limb1_upper_momentum_py)
         limb1_upper_twist_vx = limb1_P_v * limb1_lower_sin
-        limb1_upper_momentum_px = 1.42 * (limb1_upper_twist_vx + (limb1_lower_twist_wy * t411 + limb1_lower_twist_wz * t420))
+        limb1_upper_momentum_px = (
+            limb_lower_m * (limb1_upper_twist_vx + (limb1_lower_twist_wy * t411 + limb1_lower_twist_wz * t420))
+        )
         t452 = limb1_lower_twist_wz * limb1_upper_momentum_px + limb1_U_v_0 * minus_limb1_upper_momentum_pz
         t454 = limb1_lower_twist_rate_vy - limb1_P_a * minus_limb1_lower_rotation_yx
-        limb1_upper_twist_rate_vy = t454 + limb1_P_v * (limb1_lower_sin * limb1_lower_twist_wz - limb1_U_v_0 * limb1_lower_rotation_zx)
-        t463 = 1.42 * (limb1_upper_twist_rate_vy - (limb1_lower_twist_rate_wz * t434 + limb1_U_a_0 * t411))
+        limb1_upper_twist_rate_vy = (
+            t454 + limb1_P_v * (limb1_lower_sin * limb1_lower_twist_wz - limb1_U_v_0 * limb1_lower_rotation_zx)
+        )
+        t463 = limb_lower_m * (limb1_upper_twist_rate_vy - (limb1_lower_twist_rate_wz * t434 + limb1_U_a_0 * t411))
         limb1_upper_rate_at_O_fy = t452 + t463
         t466 = limb1_U_v_0 * limb1_upper_momentum_py - limb1_lower_twist_wy * limb1_upper_momentum_px
         t468 = minus_limb1_lower_twist_rate_vz - limb1_P_a * limb1_lower_rotation_zx
         t472 = limb1_P_v * (limb1_U_v_0 * minus_limb1_lower_rotation_yx + limb1_lower_sin * limb1_lower_twist_wy)
-        t477 = 1.42 * (t468 + t472 + (limb1_U_a_0 * t420 - limb1_lower_twist_rate_wy * t434))
+        t477 = limb_lower_m * (t468 + t472 + (limb1_U_a_0 * t420 - limb1_lower_twist_rate_wy * t434))
         limb1_upper_rate_at_O_fz = t466 - t477
         limb1_upper_momentum_Lz = t327 - (t434 * limb1_upper_momentum_py - t420 * limb1_upper_momentum_px)
         t481 = limb1_lower_twist_wy * limb1_upper_momentum_Lz
-        minus_limb1_upper_momentum_Ly = t356 - (t411 * limb1_upper_momentum_px - t434 * minus_limb1_upper_momentum_pz)
+        minus_limb1_upper_momentum_Ly = (
+            t356 - (t411 * limb1_upper_momentum_px - t434 * minus_limb1_upper_momentum_pz)
+        )
         t486 = t481 + limb1_lower_twist_wz * minus_limb1_upper_momentum_Ly
         t487 = limb1_upper_twist_vy * minus_limb1_upper_momentum_pz
         t490 = t486 - (t487 - minus_limb1_upper_twist_vz * limb1_upper_momentum_py)
@@ -4413,68 +4751,76 @@ def momentum_rates(*arguments):
         limb1_upper_rate_at_O_mz = t512 - (t515 - t518)
         # limb2: geometry; velocities, eq. (6)
         limb2_U_0_sin = np.cos(limb2_U_q_0)
-        limb2_U_1_screw_vz = 0.8 * limb2_U_0_sin
+        limb2_U_1_screw_vz = param_R * limb2_U_0_sin
         limb2_lower_twist_vz = limb2_U_v_1 * limb2_U_1_screw_vz
         limb2_lower_twist_wx = limb2_U_v_1 * limb2_U_0_sin
-        t520 = 2.6179938779914944 + limb2_U_q_1
+        t520 = limb_lower_phase_2 + limb2_U_q_1
         limb2_lower_sin = np.sin(t520)
         # limb2: momentum, eq. (31); geometry; momentum rate, eq. (35)
         t521 = 0.5 * limb2_lower_sin
         limb2_lower_cos = np.cos(t520)
-        t523 = t521 - 0.8660254037844386 * limb2_lower_cos
-        t525 = 0.8 - 0.8 * t523
-        t526 = 0.725 * t523
-        t529 = 0.8660254037844386 * limb2_lower_sin + 0.5 * limb2_lower_cos
-        t532 = t525 + (t526 - 0.12990381056766578 * t529)
+        t523 = t521 - k1 * limb2_lower_cos
+        t525 = param_R - param_R * t523
+        t526 = limb_lower_com_x * t523
+        t529 = k1 * limb2_lower_sin + 0.5 * limb2_lower_cos
+        t532 = t525 + (t526 - limb_lower_com_z * t529)
         t533 = limb2_lower_twist_wx * t532
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
         minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos
         t534 = 0.5 * minus_limb2_lower_rotation_xx
         limb2_lower_rotation_xy = minus_limb2_U_0_cos * limb2_lower_sin
-        t536 = t534 + 0.8660254037844386 * limb2_lower_rotation_xy
-        t537 = 0.8 * t536
-        t538 = 0.725 * t536
-        t541 = 0.8660254037844386 * minus_limb2_lower_rotation_xx - 0.5 * limb2_lower_rotation_xy
-        t544 = t537 - (t538 - 0.12990381056766578 * t541)
-        limb2_lower_momentum_pz = 1.42 * (limb2_lower_twist_vz - (t533 - limb2_U_v_0 * t544))
+        t536 = t534 + k1 * limb2_lower_rotation_xy
+        t537 = param_R * t536
+        t538 = limb_lower_com_x * t536
+        t541 = k1 * minus_limb2_lower_rotation_xx - 0.5 * limb2_lower_rotation_xy
+        t544 = t537 - (t538 - limb_lower_com_z * t541)
+        limb2_lower_momentum_pz = limb_lower_m * (limb2_lower_twist_vz - (t533 - limb2_U_v_0 * t544))
         t548 = limb2_U_v_0 * limb2_lower_momentum_pz
         minus_limb2_lower_twist_wz = limb2_U_v_1 * minus_limb2_U_0_cos
         t549 = minus_limb2_lower_twist_wz * t544
         minus_limb2_lower_rotation_zx = limb2_U_0_sin * limb2_lower_cos
         t550 = 0.5 * minus_limb2_lower_rotation_zx
         limb2_lower_rotation_zy = limb2_U_0_sin * limb2_lower_sin
-        t552 = t550 + 0.8660254037844386 * limb2_lower_rotation_zy
-        t553 = 0.8 * t552
-        t554 = 0.725 * t552
-        t557 = 0.8660254037844386 * minus_limb2_lower_rotation_zx - 0.5 * limb2_lower_rotation_zy
-        t560 = t553 - (t554 - 0.12990381056766578 * t557)
-        limb2_lower_momentum_py = 1.42 * (t549 + limb2_lower_twist_wx * t560)
+        t552 = t550 + k1 * limb2_lower_rotation_zy
+        t553 = param_R * t552
+        t554 = limb_lower_com_x * t552
+        t557 = k1 * minus_limb2_lower_rotation_zx - 0.5 * limb2_lower_rotation_zy
+        t560 = t553 - (t554 - limb_lower_com_z * t557)
+        limb2_lower_momentum_py = limb_lower_m * (t549 + limb2_lower_twist_wx * t560)
         t564 = t548 + minus_limb2_lower_twist_wz * limb2_lower_momentum_py
-        limb2_U_1_screw_vx = 0.8 * minus_limb2_U_0_cos
-        limb2_lower_twist_rate_vx = limb2_U_a_1 * limb2_U_1_screw_vx + limb2_U_v_1 * (limb2_U_v_0 * limb2_U_1_screw_vz)
+        limb2_U_1_screw_vx = param_R * minus_limb2_U_0_cos
+        limb2_lower_twist_rate_vx = (
+            limb2_U_a_1 * limb2_U_1_screw_vx + limb2_U_v_1 * (limb2_U_v_0 * limb2_U_1_screw_vz)
+        )
         # limb2: momentum rate, eq. (35); accelerations; velocities, eq. (6)
         t568 = limb2_U_a_0 * t560
-        minus_limb2_lower_twist_rate_wz = limb2_U_a_1 * minus_limb2_U_0_cos + limb2_U_v_1 * (limb2_U_v_0 * limb2_U_0_sin)
-        t575 = 1.42 * (limb2_lower_twist_rate_vx - (t568 + minus_limb2_lower_twist_rate_wz * t532))
+        minus_limb2_lower_twist_rate_wz = (
+            limb2_U_a_1 * minus_limb2_U_0_cos + limb2_U_v_1 * (limb2_U_v_0 * limb2_U_0_sin)
+        )
+        t575 = limb_lower_m * (limb2_lower_twist_rate_vx - (t568 + minus_limb2_lower_twist_rate_wz * t532))
         limb2_lower_rate_at_O_fx = t564 + t575
         t576 = minus_limb2_lower_twist_rate_wz * t544
         limb2_lower_twist_rate_wx = limb2_U_a_1 * limb2_U_0_sin - limb2_U_v_1 * (limb2_U_v_0 * minus_limb2_U_0_cos)
-        t582 = 1.42 * (t576 + limb2_lower_twist_rate_wx * t560)
+        t582 = limb_lower_m * (t576 + limb2_lower_twist_rate_wx * t560)
         limb2_lower_twist_vx = limb2_U_v_1 * limb2_U_1_screw_vx
-        limb2_lower_momentum_px = 1.42 * (limb2_lower_twist_vx - (limb2_U_v_0 * t560 + minus_limb2_lower_twist_wz * t532))
+        limb2_lower_momentum_px = (
+            limb_lower_m * (limb2_lower_twist_vx - (limb2_U_v_0 * t560 + minus_limb2_lower_twist_wz * t532))
+        )
         t587 = minus_limb2_lower_twist_wz * limb2_lower_momentum_px
         limb2_lower_rate_at_O_fy = t582 - (t587 + limb2_lower_twist_wx * limb2_lower_momentum_pz)
         t592 = limb2_lower_twist_wx * limb2_lower_momentum_py - limb2_U_v_0 * limb2_lower_momentum_px
-        limb2_lower_twist_rate_vz = limb2_U_a_1 * limb2_U_1_screw_vz - limb2_U_v_1 * (limb2_U_v_0 * limb2_U_1_screw_vx)
-        t600 = 1.42 * (limb2_lower_twist_rate_vz - (limb2_lower_twist_rate_wx * t532 - limb2_U_a_0 * t544))
+        limb2_lower_twist_rate_vz = (
+            limb2_U_a_1 * limb2_U_1_screw_vz - limb2_U_v_1 * (limb2_U_v_0 * limb2_U_1_screw_vx)
+        )
+        t600 = limb_lower_m * (limb2_lower_twist_rate_vz - (limb2_lower_twist_rate_wx * t532 - limb2_U_a_0 * t544))
         limb2_lower_rate_at_O_fz = t592 + t600
         # limb2: momentum, eq. (31); momentum rate, eq. (35)
         t603 = t544 * limb2_lower_momentum_py - t532 * limb2_lower_momentum_px
-        t604 = 1.14 * minus_limb2_U_0_cos
+        t604 = limb_lower_Iyy * minus_limb2_U_0_cos
         t605 = limb2_U_0_sin * t604
-        t608 = 0.8839 * t552 - 0.478219227969767 * t557
+        t608 = limb_lower_Ixx * t552 - limb_lower_Ixz * t557
         t610 = t605 - t536 * t608
-        t613 = 0.478219227969767 * t552 - 0.3317 * t557
+        t613 = limb_lower_Ixz * t552 - limb_lower_Izz * t557
         t615 = t610 + t541 * t613
         t616 = limb2_lower_twist_wx * t615
         t619 = t523 * t608 - t529 * t613
@@ -4484,9 +4830,9 @@ def momentum_rates(*arguments):
         minus_limb2_lower_momentum_Lz = t603 + t628
         t629 = limb2_U_v_0 * minus_limb2_lower_momentum_Lz
         t632 = t560 * limb2_lower_momentum_px - t544 * limb2_lower_momentum_pz
-        t635 = 0.8839 * t523 - 0.478219227969767 * t529
+        t635 = limb_lower_Ixx * t523 - limb_lower_Ixz * t529
         t636 = t536 * t635
-        t639 = 0.478219227969767 * t523 - 0.3317 * t529
+        t639 = limb_lower_Ixz * t523 - limb_lower_Izz * t529
         t641 = t636 - t541 * t639
         t642 = limb2_lower_twist_wx * t641
         t645 = t523 * t635 - t529 * t639
@@ -4498,11 +4844,11 @@ def momentum_rates(*arguments):
         t654 = t629 + minus_limb2_lower_twist_wz * minus_limb2_lower_momentum_Ly
         t656 = t654 + limb2_lower_twist_vz * limb2_lower_momentum_py
         t659 = t532 * t600 - t560 * t582
-        t660 = 1.14 * limb2_U_0_sin
+        t660 = limb_lower_Iyy * limb2_U_0_sin
         t661 = limb2_U_0_sin * t660
-        t664 = 0.8839 * t536 - 0.478219227969767 * t541
+        t664 = limb_lower_Ixx * t536 - limb_lower_Ixz * t541
         t666 = t661 + t536 * t664
-        t669 = 0.478219227969767 * t536 - 0.3317 * t541
+        t669 = limb_lower_Ixz * t536 - limb_lower_Izz * t541
         t671 = t666 - t541 * t669
         t672 = limb2_lower_twist_rate_wx * t671
         t675 = t523 * t664 - t529 * t669
@@ -4529,39 +4875,45 @@ def momentum_rates(*arguments):
         minus_limb2_lower_rate_at_O_mz = t714 + (t717 + t722)
         limb2_lower_rate_at_O_mz = -minus_limb2_lower_rate_at_O_mz
         limb2_upper_twist_vz = limb2_lower_twist_vz - limb2_P_v * minus_limb2_lower_rotation_zx
-        limb2_upper_offset_x = 0.3 + limb2_P_q
+        limb2_upper_offset_x = limb_upper_phase + limb2_P_q
         # limb2: momentum, eq. (31); momentum rate, eq. (35); accelerations
-        t728 = 0.8 - limb2_lower_sin * limb2_upper_offset_x - (0.5 * t523 - 0.5196152422706631 * t529)
-        t732 = t728 + (0.575 * t523 - 0.3897114317029974 * t529)
+        t728 = param_R - limb2_lower_sin * limb2_upper_offset_x - (0.5 * t523 - param_H * t529)
+        t732 = t728 + (limb_upper_com_x * t523 - limb_upper_com_z * t529)
         t733 = limb2_lower_twist_wx * t732
-        t737 = limb2_upper_offset_x * minus_limb2_lower_rotation_xx + (0.5 * t536 - 0.5196152422706631 * t541)
-        t741 = t737 - (0.575 * t536 - 0.3897114317029974 * t541)
-        limb2_upper_momentum_pz = 1.42 * (limb2_upper_twist_vz - (t733 - limb2_U_v_0 * t741))
+        t737 = limb2_upper_offset_x * minus_limb2_lower_rotation_xx + (0.5 * t536 - param_H * t541)
+        t741 = t737 - (limb_upper_com_x * t536 - limb_upper_com_z * t541)
+        limb2_upper_momentum_pz = limb_lower_m * (limb2_upper_twist_vz - (t733 - limb2_U_v_0 * t741))
         t745 = limb2_U_v_0 * limb2_upper_momentum_pz
         limb2_upper_twist_vy = limb2_P_v * limb2_lower_sin
         t746 = minus_limb2_lower_twist_wz * t741
-        t750 = limb2_upper_offset_x * minus_limb2_lower_rotation_zx + (0.5 * t552 - 0.5196152422706631 * t557)
-        t754 = t750 - (0.575 * t552 - 0.3897114317029974 * t557)
-        limb2_upper_momentum_py = 1.42 * (limb2_upper_twist_vy + (t746 + limb2_lower_twist_wx * t754))
+        t750 = limb2_upper_offset_x * minus_limb2_lower_rotation_zx + (0.5 * t552 - param_H * t557)
+        t754 = t750 - (limb_upper_com_x * t552 - limb_upper_com_z * t557)
+        limb2_upper_momentum_py = limb_lower_m * (limb2_upper_twist_vy + (t746 + limb2_lower_twist_wx * t754))
         t759 = t745 + minus_limb2_lower_twist_wz * limb2_upper_momentum_py
         t761 = limb2_lower_twist_rate_vx - limb2_P_a * minus_limb2_lower_rotation_xx
-        t765 = limb2_P_v * (limb2_U_v_0 * minus_limb2_lower_rotation_zx - limb2_lower_sin * minus_limb2_lower_twist_wz)
-        t770 = 1.42 * (t761 - t765 - (limb2_U_a_0 * t754 + minus_limb2_lower_twist_rate_wz * t732))
+        t765 = (
+            limb2_P_v * (limb2_U_v_0 * minus_limb2_lower_rotation_zx - limb2_lower_sin * minus_limb2_lower_twist_wz)
+        )
+        t770 = limb_lower_m * (t761 - t765 - (limb2_U_a_0 * t754 + minus_limb2_lower_twist_rate_wz * t732))
         limb2_upper_rate_at_O_fx = t759 + t770
         t771 = limb2_P_a * limb2_lower_sin
         t772 = minus_limb2_lower_rotation_xx * minus_limb2_lower_twist_wz
         limb2_upper_twist_rate_vy = t771 + limb2_P_v * (t772 + minus_limb2_lower_rotation_zx * limb2_lower_twist_wx)
         # limb2: momentum rate, eq. (35); momentum, eq. (31); accelerations
-        t779 = limb2_upper_twist_rate_vy + (minus_limb2_lower_twist_rate_wz * t741 + limb2_lower_twist_rate_wx * t754)
-        t780 = 1.42 * t779
+        t779 = (
+            limb2_upper_twist_rate_vy + (minus_limb2_lower_twist_rate_wz * t741 + limb2_lower_twist_rate_wx * t754)
+        )
+        t780 = limb_lower_m * t779
         limb2_upper_twist_vx = limb2_lower_twist_vx - limb2_P_v * minus_limb2_lower_rotation_xx
-        limb2_upper_momentum_px = 1.42 * (limb2_upper_twist_vx - (limb2_U_v_0 * t754 + minus_limb2_lower_twist_wz * t732))
+        limb2_upper_momentum_px = (
+            limb_lower_m * (limb2_upper_twist_vx - (limb2_U_v_0 * t754 + minus_limb2_lower_twist_wz * t732))
+        )
         t786 = minus_limb2_lower_twist_wz * limb2_upper_momentum_px
         limb2_upper_rate_at_O_fy = t780 - (t786 + limb2_lower_twist_wx * limb2_upper_momentum_pz)
         t791 = limb2_lower_twist_wx * limb2_upper_momentum_py - limb2_U_v_0 * limb2_upper_momentum_px
         t793 = limb2_lower_twist_rate_vz - limb2_P_a * minus_limb2_lower_rotation_zx
         t797 = limb2_P_v * (limb2_lower_sin * limb2_lower_twist_wx + limb2_U_v_0 * minus_limb2_lower_rotation_xx)
-        t802 = 1.42 * (t793 + t797 - (limb2_lower_twist_rate_wx * t732 - limb2_U_a_0 * t741))
+        t802 = limb_lower_m * (t793 + t797 - (limb2_lower_twist_rate_wx * t732 - limb2_U_a_0 * t741))
         limb2_upper_rate_at_O_fz = t791 + t802
         t806 = t684 - (t732 * t802 - t754 * t780)
         minus_limb2_upper_momentum_Lz = t628 + (t741 * limb2_upper_momentum_py - t732 * limb2_upper_momentum_px)
@@ -4583,66 +4935,75 @@ def momentum_rates(*arguments):
         # limb3: geometry; velocities, eq. (6)
         limb3_U_0_cos = np.cos(limb3_U_q_0)
         limb3_lower_twist_wy = limb3_U_v_1 * limb3_U_0_cos
-        limb3_U_1_screw_vz = 0.8 * limb3_U_0_cos
+        limb3_U_1_screw_vz = param_R * limb3_U_0_cos
         limb3_lower_twist_vz = limb3_U_v_1 * limb3_U_1_screw_vz
         limb3_U_0_sin = np.sin(limb3_U_q_0)
-        t845 = 0.5235987755982989 - limb3_U_q_1
+        t845 = limb_lower_phase - limb3_U_q_1
         limb3_lower_cos = np.cos(t845)
         minus_limb3_lower_rotation_yx = limb3_U_0_sin * limb3_lower_cos
         # limb3: momentum, eq. (31); geometry; momentum rate, eq. (35)
         t846 = 0.5 * minus_limb3_lower_rotation_yx
         minus_limb3_lower_sin = np.sin(t845)
         minus_limb3_lower_rotation_yy = limb3_U_0_sin * minus_limb3_lower_sin
-        t848 = t846 - 0.8660254037844386 * minus_limb3_lower_rotation_yy
-        t849 = 0.8 * t848
-        t850 = 0.725 * t848
-        t853 = 0.8660254037844386 * minus_limb3_lower_rotation_yx + 0.5 * minus_limb3_lower_rotation_yy
-        t856 = t849 - (t850 - 0.12990381056766578 * t853)
+        t848 = t846 - k1 * minus_limb3_lower_rotation_yy
+        t849 = param_R * t848
+        t850 = limb_lower_com_x * t848
+        t853 = k1 * minus_limb3_lower_rotation_yx + 0.5 * minus_limb3_lower_rotation_yy
+        t856 = t849 - (t850 - limb_lower_com_z * t853)
         t857 = limb3_U_v_0 * t856
-        t860 = 0.5 * minus_limb3_lower_sin + 0.8660254037844386 * limb3_lower_cos
-        t862 = 0.8 - 0.8 * t860
-        t863 = 0.725 * t860
-        t866 = 0.8660254037844386 * minus_limb3_lower_sin - 0.5 * limb3_lower_cos
-        t869 = t862 + (t863 - 0.12990381056766578 * t866)
-        limb3_lower_momentum_pz = 1.42 * (limb3_lower_twist_vz - (t857 + limb3_lower_twist_wy * t869))
+        t860 = 0.5 * minus_limb3_lower_sin + k1 * limb3_lower_cos
+        t862 = param_R - param_R * t860
+        t863 = limb_lower_com_x * t860
+        t866 = k1 * minus_limb3_lower_sin - 0.5 * limb3_lower_cos
+        t869 = t862 + (t863 - limb_lower_com_z * t866)
+        limb3_lower_momentum_pz = limb_lower_m * (limb3_lower_twist_vz - (t857 + limb3_lower_twist_wy * t869))
         t873 = limb3_lower_twist_wy * limb3_lower_momentum_pz
         limb3_lower_twist_wz = limb3_U_v_1 * limb3_U_0_sin
-        minus_limb3_U_1_screw_vy = 0.8 * limb3_U_0_sin
+        minus_limb3_U_1_screw_vy = param_R * limb3_U_0_sin
         minus_limb3_lower_twist_vy = limb3_U_v_1 * minus_limb3_U_1_screw_vy
         t874 = limb3_lower_twist_wz * t869
         limb3_lower_rotation_zx = limb3_U_0_cos * limb3_lower_cos
         t875 = 0.5 * limb3_lower_rotation_zx
         limb3_lower_rotation_zy = limb3_U_0_cos * minus_limb3_lower_sin
-        t877 = t875 - 0.8660254037844386 * limb3_lower_rotation_zy
-        t878 = 0.8 * t877
-        t879 = 0.725 * t877
-        t882 = 0.8660254037844386 * limb3_lower_rotation_zx + 0.5 * limb3_lower_rotation_zy
-        t885 = t878 - (t879 - 0.12990381056766578 * t882)
-        minus_limb3_lower_momentum_py = 1.42 * (minus_limb3_lower_twist_vy - (t874 - limb3_U_v_0 * t885))
+        t877 = t875 - k1 * limb3_lower_rotation_zy
+        t878 = param_R * t877
+        t879 = limb_lower_com_x * t877
+        t882 = k1 * limb3_lower_rotation_zx + 0.5 * limb3_lower_rotation_zy
+        t885 = t878 - (t879 - limb_lower_com_z * t882)
+        minus_limb3_lower_momentum_py = limb_lower_m * (minus_limb3_lower_twist_vy - (t874 - limb3_U_v_0 * t885))
         t890 = t873 + limb3_lower_twist_wz * minus_limb3_lower_momentum_py
         limb3_lower_twist_rate_wy = limb3_U_a_1 * limb3_U_0_cos - limb3_U_v_1 * (limb3_U_v_0 * limb3_U_0_sin)
         # limb3: momentum rate, eq. (35); accelerations; momentum, eq. (31)
         t894 = limb3_lower_twist_rate_wy * t885
         limb3_lower_twist_rate_wz = limb3_U_a_1 * limb3_U_0_sin + limb3_U_v_1 * (limb3_U_v_0 * limb3_U_0_cos)
-        t900 = 1.42 * (t894 + limb3_lower_twist_rate_wz * t856)
+        t900 = limb_lower_m * (t894 + limb3_lower_twist_rate_wz * t856)
         limb3_lower_rate_at_O_fx = t890 + t900
-        limb3_lower_momentum_px = 1.42 * (limb3_lower_twist_wy * t885 + limb3_lower_twist_wz * t856)
+        limb3_lower_momentum_px = limb_lower_m * (limb3_lower_twist_wy * t885 + limb3_lower_twist_wz * t856)
         t906 = limb3_lower_twist_wz * limb3_lower_momentum_px - limb3_U_v_0 * limb3_lower_momentum_pz
-        minus_limb3_lower_twist_rate_vy = limb3_U_a_1 * minus_limb3_U_1_screw_vy + limb3_U_v_1 * (limb3_U_v_0 * limb3_U_1_screw_vz)
-        t914 = 1.42 * (minus_limb3_lower_twist_rate_vy - (limb3_lower_twist_rate_wz * t869 - limb3_U_a_0 * t885))
+        minus_limb3_lower_twist_rate_vy = (
+            limb3_U_a_1 * minus_limb3_U_1_screw_vy + limb3_U_v_1 * (limb3_U_v_0 * limb3_U_1_screw_vz)
+        )
+        t914 = (
+            limb_lower_m * (minus_limb3_lower_twist_rate_vy - (limb3_lower_twist_rate_wz * t869 - limb3_U_a_0 *
+            t885))
+        )
         limb3_lower_rate_at_O_fy = t906 - t914
-        limb3_lower_twist_rate_vz = limb3_U_a_1 * limb3_U_1_screw_vz - limb3_U_v_1 * (limb3_U_v_0 * minus_limb3_U_1_screw_vy)
-        t922 = 1.42 * (limb3_lower_twist_rate_vz - (limb3_U_a_0 * t856 + limb3_lower_twist_rate_wy * t869))
-        limb3_lower_rate_at_O_fz = t922 - (limb3_U_v_0 * minus_limb3_lower_momentum_py + limb3_lower_twist_wy * limb3_lower_momentum_px)
+        limb3_lower_twist_rate_vz = (
+            limb3_U_a_1 * limb3_U_1_screw_vz - limb3_U_v_1 * (limb3_U_v_0 * minus_limb3_U_1_screw_vy)
+        )
+        t922 = limb_lower_m * (limb3_lower_twist_rate_vz - (limb3_U_a_0 * t856 + limb3_lower_twist_rate_wy * t869))
+        limb3_lower_rate_at_O_fz = (
+            t922 - (limb3_U_v_0 * minus_limb3_lower_momentum_py + limb3_lower_twist_wy * limb3_lower_momentum_px)
+        )
         # limb3: momentum, eq. (31); momentum rate, eq. (35)
         t928 = t869 * minus_limb3_lower_momentum_py - t856 * limb3_lower_momentum_px
-        t931 = 0.8839 * t877 - 0.478219227969767 * t882
+        t931 = limb_lower_Ixx * t877 - limb_lower_Ixz * t882
         t932 = t860 * t931
-        t935 = 0.478219227969767 * t877 - 0.3317 * t882
+        t935 = limb_lower_Ixz * t877 - limb_lower_Izz * t882
         t937 = t932 - t866 * t935
         t938 = limb3_U_v_0 * t937
         t939 = t848 * t931
-        t940 = 1.14 * limb3_U_0_sin
+        t940 = limb_lower_Iyy * limb3_U_0_sin
         t944 = t939 - limb3_U_0_cos * t940 - t853 * t935
         t946 = t938 + limb3_lower_twist_wy * t944
         t951 = t877 * t931 + limb3_U_0_sin * t940 - t882 * t935
@@ -4650,13 +5011,13 @@ def momentum_rates(*arguments):
         minus_limb3_lower_momentum_Lz = t928 + t953
         t954 = limb3_lower_twist_wy * minus_limb3_lower_momentum_Lz
         t957 = t885 * limb3_lower_momentum_px - t869 * limb3_lower_momentum_pz
-        t960 = 0.8839 * t848 - 0.478219227969767 * t853
+        t960 = limb_lower_Ixx * t848 - limb_lower_Ixz * t853
         t961 = t860 * t960
-        t964 = 0.478219227969767 * t848 - 0.3317 * t853
+        t964 = limb_lower_Ixz * t848 - limb_lower_Izz * t853
         t966 = t961 - t866 * t964
         t967 = limb3_U_v_0 * t966
         t968 = t848 * t960
-        t969 = 1.14 * limb3_U_0_cos
+        t969 = limb_lower_Iyy * limb3_U_0_cos
         t973 = t968 + limb3_U_0_cos * t969 - t853 * t964
         t975 = t967 + limb3_lower_twist_wy * t973
         t980 = t877 * t960 - limb3_U_0_sin * t969 - t882 * t964
@@ -4667,9 +5028,9 @@ def momentum_rates(*arguments):
         t985 = minus_limb3_lower_twist_vy * limb3_lower_momentum_pz
         t988 = t984 + (t985 - limb3_lower_twist_vz * minus_limb3_lower_momentum_py)
         t991 = t856 * t922 - t885 * t914
-        t994 = 0.8839 * t860 - 0.478219227969767 * t866
+        t994 = limb_lower_Ixx * t860 - limb_lower_Ixz * t866
         t995 = t860 * t994
-        t998 = 0.478219227969767 * t860 - 0.3317 * t866
+        t998 = limb_lower_Ixz * t860 - limb_lower_Izz * t866
         t1000 = t995 - t866 * t998
         t1001 = limb3_U_a_0 * t1000
         t1004 = t848 * t994 - t853 * t998
@@ -4693,43 +5054,55 @@ def momentum_rates(*arguments):
         t1047 = limb3_U_a_0 * t937 + limb3_lower_twist_rate_wy * t944 - limb3_lower_twist_rate_wz * t951
         limb3_lower_rate_at_O_mz = t1039 - (t1042 + t1047)
         limb3_upper_twist_vz = limb3_lower_twist_vz + limb3_P_v * limb3_lower_rotation_zx
-        limb3_upper_offset_x = 0.3 + limb3_P_q
+        limb3_upper_offset_x = limb_upper_phase + limb3_P_q
         # limb3: momentum, eq. (31); momentum rate, eq. (35); accelerations
-        t1053 = limb3_upper_offset_x * minus_limb3_lower_rotation_yx + (0.5 * t848 - 0.5196152422706631 * t853)
-        t1057 = t1053 - (0.575 * t848 - 0.3897114317029974 * t853)
+        t1053 = limb3_upper_offset_x * minus_limb3_lower_rotation_yx + (0.5 * t848 - param_H * t853)
+        t1057 = t1053 - (limb_upper_com_x * t848 - limb_upper_com_z * t853)
         t1058 = limb3_U_v_0 * t1057
-        t1062 = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x - (0.5 * t860 - 0.5196152422706631 * t866)
-        t1066 = t1062 + (0.575 * t860 - 0.3897114317029974 * t866)
-        limb3_upper_momentum_pz = 1.42 * (limb3_upper_twist_vz - (t1058 + limb3_lower_twist_wy * t1066))
+        t1062 = param_R - minus_limb3_lower_sin * limb3_upper_offset_x - (0.5 * t860 - param_H * t866)
+        t1066 = t1062 + (limb_upper_com_x * t860 - limb_upper_com_z * t866)
+        limb3_upper_momentum_pz = limb_lower_m * (limb3_upper_twist_vz - (t1058 + limb3_lower_twist_wy * t1066))
         t1070 = limb3_lower_twist_wy * limb3_upper_momentum_pz
         minus_limb3_upper_twist_vy = minus_limb3_lower_twist_vy + limb3_P_v * minus_limb3_lower_rotation_yx
         t1072 = limb3_lower_twist_wz * t1066
-        t1076 = limb3_upper_offset_x * limb3_lower_rotation_zx + (0.5 * t877 - 0.5196152422706631 * t882)
-        t1080 = t1076 - (0.575 * t877 - 0.3897114317029974 * t882)
-        minus_limb3_upper_momentum_py = 1.42 * (minus_limb3_upper_twist_vy - (t1072 - limb3_U_v_0 * t1080))
+        t1076 = limb3_upper_offset_x * limb3_lower_rotation_zx + (0.5 * t877 - param_H * t882)
+        t1080 = t1076 - (limb_upper_com_x * t877 - limb_upper_com_z * t882)
+        minus_limb3_upper_momentum_py = limb_lower_m * (minus_limb3_upper_twist_vy - (t1072 - limb3_U_v_0 * t1080))
         t1085 = t1070 + limb3_lower_twist_wz * minus_limb3_upper_momentum_py
         t1086 = limb3_P_a * minus_limb3_lower_sin
         t1087 = limb3_lower_rotation_zx * limb3_lower_twist_wy
-        minus_limb3_upper_twist_rate_vx = t1086 - limb3_P_v * (t1087 + minus_limb3_lower_rotation_yx * limb3_lower_twist_wz)
-        t1094 = minus_limb3_upper_twist_rate_vx - (limb3_lower_twist_rate_wy * t1080 + limb3_lower_twist_rate_wz * t1057)
-        t1095 = 1.42 * t1094
+        minus_limb3_upper_twist_rate_vx = (
+            t1086 - limb3_P_v * (t1087 + minus_limb3_lower_rotation_yx * limb3_lower_twist_wz)
+        )
+        t1094 = (
+            minus_limb3_upper_twist_rate_vx - (limb3_lower_twist_rate_wy * t1080 + limb3_lower_twist_rate_wz *
+            t1057)
+        )
+        t1095 = limb_lower_m * t1094
         limb3_upper_rate_at_O_fx = t1085 - t1095
         minus_limb3_upper_twist_vx = limb3_P_v * minus_limb3_lower_sin
-        minus_limb3_upper_momentum_px = 1.42 * (minus_limb3_upper_twist_vx - (limb3_lower_twist_wy * t1080 + limb3_lower_twist_wz * t1057))
+        minus_limb3_upper_momentum_px = (
+            limb_lower_m * (minus_limb3_upper_twist_vx - (limb3_lower_twist_wy * t1080 + limb3_lower_twist_wz *
+            t1057))
+        )
         # limb3: momentum rate, eq. (35); accelerations; momentum, eq. (31)
         t1102 = limb3_lower_twist_wz * minus_limb3_upper_momentum_px + limb3_U_v_0 * limb3_upper_momentum_pz
         t1104 = minus_limb3_lower_twist_rate_vy + limb3_P_a * minus_limb3_lower_rotation_yx
         t1108 = limb3_P_v * (minus_limb3_lower_sin * limb3_lower_twist_wz + limb3_U_v_0 * limb3_lower_rotation_zx)
-        t1113 = 1.42 * (t1104 + t1108 - (limb3_lower_twist_rate_wz * t1066 - limb3_U_a_0 * t1080))
+        t1113 = limb_lower_m * (t1104 + t1108 - (limb3_lower_twist_rate_wz * t1066 - limb3_U_a_0 * t1080))
         minus_limb3_upper_rate_at_O_fy = t1102 + t1113
         limb3_upper_rate_at_O_fy = -minus_limb3_upper_rate_at_O_fy
         t1115 = limb3_lower_twist_rate_vz + limb3_P_a * limb3_lower_rotation_zx
-        t1119 = limb3_P_v * (limb3_U_v_0 * minus_limb3_lower_rotation_yx - minus_limb3_lower_sin * limb3_lower_twist_wy)
-        t1124 = 1.42 * (t1115 - t1119 - (limb3_U_a_0 * t1057 + limb3_lower_twist_rate_wy * t1066))
+        t1119 = (
+            limb3_P_v * (limb3_U_v_0 * minus_limb3_lower_rotation_yx - minus_limb3_lower_sin * limb3_lower_twist_wy)
+        )
+        t1124 = limb_lower_m * (t1115 - t1119 - (limb3_U_a_0 * t1057 + limb3_lower_twist_rate_wy * t1066))
         t1125 = limb3_U_v_0 * minus_limb3_upper_momentum_py
         limb3_upper_rate_at_O_fz = t1124 - (t1125 - limb3_lower_twist_wy * minus_limb3_upper_momentum_px)
         t1131 = t1011 - (t1057 * t1124 - t1080 * t1113)
-        minus_limb3_upper_momentum_Lz = t953 + (t1066 * minus_limb3_upper_momentum_py + t1057 * minus_limb3_upper_momentum_px)
+        minus_limb3_upper_momentum_Lz = (
+            t953 + (t1066 * minus_limb3_upper_momentum_py + t1057 * minus_limb3_upper_momentum_px)
+        )
         t1135 = limb3_lower_twist_wy * minus_limb3_upper_momentum_Lz
         limb3_upper_momentum_Ly = t982 - (t1080 * minus_limb3_upper_momentum_px + t1066 * limb3_upper_momentum_pz)
         t1140 = t1135 + limb3_lower_twist_wz * limb3_upper_momentum_Ly
@@ -4746,70 +5119,81 @@ def momentum_rates(*arguments):
         limb3_upper_rate_at_O_mz = t1165 - (t1047 + (t1066 * t1113 + t1057 * t1095))
         # limb4: geometry; velocities, eq. (6)
         limb4_U_0_sin = np.cos(limb4_U_q_0)
-        minus_limb4_U_1_screw_vz = 0.8 * limb4_U_0_sin
+        minus_limb4_U_1_screw_vz = param_R * limb4_U_0_sin
         minus_limb4_lower_twist_vz = limb4_U_v_1 * minus_limb4_U_1_screw_vz
         limb4_lower_twist_wx = limb4_U_v_1 * limb4_U_0_sin
-        t1170 = 2.6179938779914944 - limb4_U_q_1
+        t1170 = limb_lower_phase_2 - limb4_U_q_1
         minus_limb4_lower_sin = np.sin(t1170)
         # limb4: momentum, eq. (31); geometry; momentum rate, eq. (35)
         t1171 = 0.5 * minus_limb4_lower_sin
         limb4_lower_cos = np.cos(t1170)
-        t1173 = t1171 - 0.8660254037844386 * limb4_lower_cos
-        t1175 = 0.8 - 0.8 * t1173
-        t1176 = 0.725 * t1173
-        t1179 = 0.8660254037844386 * minus_limb4_lower_sin + 0.5 * limb4_lower_cos
-        t1182 = t1175 + (t1176 - 0.12990381056766578 * t1179)
+        t1173 = t1171 - k1 * limb4_lower_cos
+        t1175 = param_R - param_R * t1173
+        t1176 = limb_lower_com_x * t1173
+        t1179 = k1 * minus_limb4_lower_sin + 0.5 * limb4_lower_cos
+        t1182 = t1175 + (t1176 - limb_lower_com_z * t1179)
         t1183 = limb4_lower_twist_wx * t1182
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
         minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos
         t1184 = 0.5 * minus_limb4_lower_rotation_xx
         minus_limb4_lower_rotation_xy = minus_limb4_U_0_cos * minus_limb4_lower_sin
-        t1186 = t1184 + 0.8660254037844386 * minus_limb4_lower_rotation_xy
-        t1187 = 0.8 * t1186
-        t1188 = 0.725 * t1186
-        t1191 = 0.8660254037844386 * minus_limb4_lower_rotation_xx - 0.5 * minus_limb4_lower_rotation_xy
-        t1194 = t1187 - (t1188 - 0.12990381056766578 * t1191)
-        minus_limb4_lower_momentum_pz = 1.42 * (minus_limb4_lower_twist_vz - (t1183 + limb4_U_v_0 * t1194))
+        t1186 = t1184 + k1 * minus_limb4_lower_rotation_xy
+        t1187 = param_R * t1186
+        t1188 = limb_lower_com_x * t1186
+        t1191 = k1 * minus_limb4_lower_rotation_xx - 0.5 * minus_limb4_lower_rotation_xy
+        t1194 = t1187 - (t1188 - limb_lower_com_z * t1191)
+        minus_limb4_lower_momentum_pz = limb_lower_m * (minus_limb4_lower_twist_vz - (t1183 + limb4_U_v_0 * t1194))
         t1198 = limb4_U_v_0 * minus_limb4_lower_momentum_pz
         minus_limb4_lower_twist_wz = limb4_U_v_1 * minus_limb4_U_0_cos
         t1199 = minus_limb4_lower_twist_wz * t1194
         minus_limb4_lower_rotation_zx = limb4_U_0_sin * limb4_lower_cos
         t1200 = 0.5 * minus_limb4_lower_rotation_zx
         minus_limb4_lower_rotation_zy = limb4_U_0_sin * minus_limb4_lower_sin
-        t1202 = t1200 + 0.8660254037844386 * minus_limb4_lower_rotation_zy
-        t1203 = 0.8 * t1202
-        t1204 = 0.725 * t1202
-        t1207 = 0.8660254037844386 * minus_limb4_lower_rotation_zx - 0.5 * minus_limb4_lower_rotation_zy
-        t1210 = t1203 - (t1204 - 0.12990381056766578 * t1207)
-        limb4_lower_momentum_py = 1.42 * (t1199 + limb4_lower_twist_wx * t1210)
+        t1202 = t1200 + k1 * minus_limb4_lower_rotation_zy
+        t1203 = param_R * t1202
+        t1204 = limb_lower_com_x * t1202
+        t1207 = k1 * minus_limb4_lower_rotation_zx - 0.5 * minus_limb4_lower_rotation_zy
+        t1210 = t1203 - (t1204 - limb_lower_com_z * t1207)
+        limb4_lower_momentum_py = limb_lower_m * (t1199 + limb4_lower_twist_wx * t1210)
         t1214 = t1198 - minus_limb4_lower_twist_wz * limb4_lower_momentum_py
-        minus_limb4_U_1_screw_vx = 0.8 * minus_limb4_U_0_cos
-        minus_limb4_lower_twist_rate_vx = limb4_U_a_1 * minus_limb4_U_1_screw_vx + limb4_U_v_1 * (limb4_U_v_0 * minus_limb4_U_1_screw_vz)
+        minus_limb4_U_1_screw_vx = param_R * minus_limb4_U_0_cos
+        minus_limb4_lower_twist_rate_vx = (
+            limb4_U_a_1 * minus_limb4_U_1_screw_vx + limb4_U_v_1 * (limb4_U_v_0 * minus_limb4_U_1_screw_vz)
+        )
         # limb4: momentum rate, eq. (35); accelerations; velocities, eq. (6)
         t1218 = limb4_U_a_0 * t1210
-        minus_limb4_lower_twist_rate_wz = limb4_U_a_1 * minus_limb4_U_0_cos + limb4_U_v_1 * (limb4_U_v_0 * limb4_U_0_sin)
-        t1225 = 1.42 * (minus_limb4_lower_twist_rate_vx + (t1218 - minus_limb4_lower_twist_rate_wz * t1182))
+        minus_limb4_lower_twist_rate_wz = (
+            limb4_U_a_1 * minus_limb4_U_0_cos + limb4_U_v_1 * (limb4_U_v_0 * limb4_U_0_sin)
+        )
+        t1225 = limb_lower_m * (minus_limb4_lower_twist_rate_vx + (t1218 - minus_limb4_lower_twist_rate_wz * t1182))
         minus_limb4_lower_rate_at_O_fx = t1214 + t1225
         limb4_lower_rate_at_O_fx = -minus_limb4_lower_rate_at_O_fx
         minus_limb4_lower_twist_vx = limb4_U_v_1 * minus_limb4_U_1_screw_vx
-        minus_limb4_lower_momentum_px = 1.42 * (minus_limb4_lower_twist_vx + (limb4_U_v_0 * t1210 - minus_limb4_lower_twist_wz * t1182))
+        minus_limb4_lower_momentum_px = (
+            limb_lower_m * (minus_limb4_lower_twist_vx + (limb4_U_v_0 * t1210 - minus_limb4_lower_twist_wz * t1182))
+        )
         t1230 = minus_limb4_lower_twist_wz * minus_limb4_lower_momentum_px
         t1232 = t1230 + limb4_lower_twist_wx * minus_limb4_lower_momentum_pz
         t1233 = minus_limb4_lower_twist_rate_wz * t1194
         limb4_lower_twist_rate_wx = limb4_U_a_1 * limb4_U_0_sin - limb4_U_v_1 * (limb4_U_v_0 * minus_limb4_U_0_cos)
-        t1239 = 1.42 * (t1233 + limb4_lower_twist_rate_wx * t1210)
+        t1239 = limb_lower_m * (t1233 + limb4_lower_twist_rate_wx * t1210)
         limb4_lower_rate_at_O_fy = t1232 + t1239
         t1242 = limb4_lower_twist_wx * limb4_lower_momentum_py + limb4_U_v_0 * minus_limb4_lower_momentum_px
-        minus_limb4_lower_twist_rate_vz = limb4_U_a_1 * minus_limb4_U_1_screw_vz - limb4_U_v_1 * (limb4_U_v_0 * minus_limb4_U_1_screw_vx)
-        t1250 = 1.42 * (minus_limb4_lower_twist_rate_vz - (limb4_lower_twist_rate_wx * t1182 + limb4_U_a_0 * t1194))
+        minus_limb4_lower_twist_rate_vz = (
+            limb4_U_a_1 * minus_limb4_U_1_screw_vz - limb4_U_v_1 * (limb4_U_v_0 * minus_limb4_U_1_screw_vx)
+        )
+        t1250 = (
+            limb_lower_m * (minus_limb4_lower_twist_rate_vz - (limb4_lower_twist_rate_wx * t1182 + limb4_U_a_0 *
+            t1194))
+        )
         limb4_lower_rate_at_O_fz = t1242 - t1250
         # limb4: momentum, eq. (31); momentum rate, eq. (35)
         t1253 = t1194 * limb4_lower_momentum_py - t1182 * minus_limb4_lower_momentum_px
-        t1254 = 1.14 * minus_limb4_U_0_cos
+        t1254 = limb_lower_Iyy * minus_limb4_U_0_cos
         t1255 = limb4_U_0_sin * t1254
-        t1258 = 0.8839 * t1202 - 0.478219227969767 * t1207
+        t1258 = limb_lower_Ixx * t1202 - limb_lower_Ixz * t1207
         t1260 = t1255 - t1186 * t1258
-        t1263 = 0.478219227969767 * t1202 - 0.3317 * t1207
+        t1263 = limb_lower_Ixz * t1202 - limb_lower_Izz * t1207
         t1265 = t1260 + t1191 * t1263
         t1266 = limb4_lower_twist_wx * t1265
         t1269 = t1173 * t1258 - t1179 * t1263
@@ -4819,9 +5203,9 @@ def momentum_rates(*arguments):
         minus_limb4_lower_momentum_Lz = t1253 + t1278
         t1279 = limb4_U_v_0 * minus_limb4_lower_momentum_Lz
         t1282 = t1210 * minus_limb4_lower_momentum_px - t1194 * minus_limb4_lower_momentum_pz
-        t1285 = 0.8839 * t1173 - 0.478219227969767 * t1179
+        t1285 = limb_lower_Ixx * t1173 - limb_lower_Ixz * t1179
         t1286 = t1186 * t1285
-        t1289 = 0.478219227969767 * t1173 - 0.3317 * t1179
+        t1289 = limb_lower_Ixz * t1173 - limb_lower_Izz * t1179
         t1291 = t1286 - t1191 * t1289
         t1292 = limb4_lower_twist_wx * t1291
         t1295 = t1173 * t1285 - t1179 * t1289
@@ -4833,11 +5217,11 @@ def momentum_rates(*arguments):
         t1304 = t1279 - minus_limb4_lower_twist_wz * limb4_lower_momentum_Ly
         t1306 = t1304 - minus_limb4_lower_twist_vz * limb4_lower_momentum_py
         t1309 = t1182 * t1250 - t1210 * t1239
-        t1310 = 1.14 * limb4_U_0_sin
+        t1310 = limb_lower_Iyy * limb4_U_0_sin
         t1311 = limb4_U_0_sin * t1310
-        t1314 = 0.8839 * t1186 - 0.478219227969767 * t1191
+        t1314 = limb_lower_Ixx * t1186 - limb_lower_Ixz * t1191
         t1316 = t1311 + t1186 * t1314
-        t1319 = 0.478219227969767 * t1186 - 0.3317 * t1191
+        t1319 = limb_lower_Ixz * t1186 - limb_lower_Izz * t1191
         t1321 = t1316 - t1191 * t1319
         t1322 = limb4_lower_twist_rate_wx * t1321
         t1325 = t1173 * t1314 - t1179 * t1319
@@ -4864,63 +5248,87 @@ def momentum_rates(*arguments):
         t1372 = t1370 + minus_limb4_lower_twist_rate_wz * t1276
         limb4_lower_rate_at_O_mz = t1364 - (t1367 + t1372)
         minus_limb4_upper_twist_vz = minus_limb4_lower_twist_vz + limb4_P_v * minus_limb4_lower_rotation_zx
-        limb4_upper_offset_x = 0.3 + limb4_P_q
+        limb4_upper_offset_x = limb_upper_phase + limb4_P_q
         # limb4: momentum, eq. (31); momentum rate, eq. (35); accelerations
-        t1378 = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x - (0.5 * t1173 - 0.5196152422706631 * t1179)
-        t1382 = t1378 + (0.575 * t1173 - 0.3897114317029974 * t1179)
+        t1378 = param_R - minus_limb4_lower_sin * limb4_upper_offset_x - (0.5 * t1173 - param_H * t1179)
+        t1382 = t1378 + (limb_upper_com_x * t1173 - limb_upper_com_z * t1179)
         t1383 = limb4_lower_twist_wx * t1382
-        t1387 = limb4_upper_offset_x * minus_limb4_lower_rotation_xx + (0.5 * t1186 - 0.5196152422706631 * t1191)
-        t1391 = t1387 - (0.575 * t1186 - 0.3897114317029974 * t1191)
-        minus_limb4_upper_momentum_pz = 1.42 * (minus_limb4_upper_twist_vz - (t1383 + limb4_U_v_0 * t1391))
+        t1387 = limb4_upper_offset_x * minus_limb4_lower_rotation_xx + (0.5 * t1186 - param_H * t1191)
+        t1391 = t1387 - (limb_upper_com_x * t1186 - limb_upper_com_z * t1191)
+        minus_limb4_upper_momentum_pz = limb_lower_m * (minus_limb4_upper_twist_vz - (t1383 + limb4_U_v_0 * t1391))
         t1395 = limb4_U_v_0 * minus_limb4_upper_momentum_pz
         minus_limb4_upper_twist_vy = limb4_P_v * minus_limb4_lower_sin
         t1396 = minus_limb4_lower_twist_wz * t1391
-        t1400 = limb4_upper_offset_x * minus_limb4_lower_rotation_zx + (0.5 * t1202 - 0.5196152422706631 * t1207)
-        t1404 = t1400 - (0.575 * t1202 - 0.3897114317029974 * t1207)
-        minus_limb4_upper_momentum_py = 1.42 * (minus_limb4_upper_twist_vy - (t1396 + limb4_lower_twist_wx * t1404))
+        t1400 = limb4_upper_offset_x * minus_limb4_lower_rotation_zx + (0.5 * t1202 - param_H * t1207)
+        t1404 = t1400 - (limb_upper_com_x * t1202 - limb_upper_com_z * t1207)
+        minus_limb4_upper_momentum_py = (
+            limb_lower_m * (minus_limb4_upper_twist_vy - (t1396 + limb4_lower_twist_wx * t1404))
+        )
         t1409 = t1395 + minus_limb4_lower_twist_wz * minus_limb4_upper_momentum_py
         t1411 = minus_limb4_lower_twist_rate_vx + limb4_P_a * minus_limb4_lower_rotation_xx
         t1412 = limb4_U_v_0 * minus_limb4_lower_rotation_zx
-        minus_limb4_upper_twist_rate_vx = t1411 + limb4_P_v * (t1412 + minus_limb4_lower_sin * minus_limb4_lower_twist_wz)
+        minus_limb4_upper_twist_rate_vx = (
+            t1411 + limb4_P_v * (t1412 + minus_limb4_lower_sin * minus_limb4_lower_twist_wz)
+        )
         t1419 = minus_limb4_upper_twist_rate_vx + (limb4_U_a_0 * t1404 - minus_limb4_lower_twist_rate_wz * t1382)
-        t1420 = 1.42 * t1419
+        t1420 = limb_lower_m * t1419
         minus_limb4_upper_rate_at_O_fx = t1409 + t1420
         limb4_upper_rate_at_O_fx = -minus_limb4_upper_rate_at_O_fx
         minus_limb4_upper_twist_vx = minus_limb4_lower_twist_vx + limb4_P_v * minus_limb4_lower_rotation_xx
-        minus_limb4_upper_momentum_px = 1.42 * (minus_limb4_upper_twist_vx + (limb4_U_v_0 * t1404 - minus_limb4_lower_twist_wz * t1382))
+        minus_limb4_upper_momentum_px = (
+            limb_lower_m * (minus_limb4_upper_twist_vx + (limb4_U_v_0 * t1404 - minus_limb4_lower_twist_wz * t1382))
+        )
         t1426 = minus_limb4_lower_twist_wz * minus_limb4_upper_momentum_px
         t1428 = t1426 + limb4_lower_twist_wx * minus_limb4_upper_momentum_pz
         t1429 = limb4_P_a * minus_limb4_lower_sin
         t1430 = minus_limb4_lower_rotation_xx * minus_limb4_lower_twist_wz
-        minus_limb4_upper_twist_rate_vy = t1429 - limb4_P_v * (t1430 + minus_limb4_lower_rotation_zx * limb4_lower_twist_wx)
+        minus_limb4_upper_twist_rate_vy = (
+            t1429 - limb4_P_v * (t1430 + minus_limb4_lower_rotation_zx * limb4_lower_twist_wx)
+        )
         # limb4: momentum rate, eq. (35); accelerations; momentum, eq. (31)
-        t1437 = minus_limb4_upper_twist_rate_vy - (minus_limb4_lower_twist_rate_wz * t1391 + limb4_lower_twist_rate_wx * t1404)
-        t1438 = 1.42 * t1437
+        t1437 = (
+            minus_limb4_upper_twist_rate_vy - (minus_limb4_lower_twist_rate_wz * t1391 + limb4_lower_twist_rate_wx *
+            t1404)
+        )
+        t1438 = limb_lower_m * t1437
         limb4_upper_rate_at_O_fy = t1428 - t1438
         t1439 = limb4_lower_twist_wx * minus_limb4_upper_momentum_py
         t1441 = t1439 - limb4_U_v_0 * minus_limb4_upper_momentum_px
         t1443 = minus_limb4_lower_twist_rate_vz + limb4_P_a * minus_limb4_lower_rotation_zx
-        t1447 = limb4_P_v * (minus_limb4_lower_sin * limb4_lower_twist_wx - limb4_U_v_0 * minus_limb4_lower_rotation_xx)
-        t1452 = 1.42 * (t1443 + t1447 - (limb4_lower_twist_rate_wx * t1382 + limb4_U_a_0 * t1391))
+        t1447 = (
+            limb4_P_v * (minus_limb4_lower_sin * limb4_lower_twist_wx - limb4_U_v_0 * minus_limb4_lower_rotation_xx)
+        )
+        t1452 = limb_lower_m * (t1443 + t1447 - (limb4_lower_twist_rate_wx * t1382 + limb4_U_a_0 * t1391))
         minus_limb4_upper_rate_at_O_fz = t1441 + t1452
         limb4_upper_rate_at_O_fz = -minus_limb4_upper_rate_at_O_fz
         t1456 = t1334 - (t1382 * t1452 + t1404 * t1438)
-        minus_limb4_upper_momentum_Lz = t1278 - (t1391 * minus_limb4_upper_momentum_py + t1382 * minus_limb4_upper_momentum_px)
+        minus_limb4_upper_momentum_Lz = (
+            t1278 - (t1391 * minus_limb4_upper_momentum_py + t1382 * minus_limb4_upper_momentum_px)
+        )
         t1460 = limb4_U_v_0 * minus_limb4_upper_momentum_Lz
-        limb4_upper_momentum_Ly = t1302 + (t1404 * minus_limb4_upper_momentum_px - t1391 * minus_limb4_upper_momentum_pz)
+        limb4_upper_momentum_Ly = (
+            t1302 + (t1404 * minus_limb4_upper_momentum_px - t1391 * minus_limb4_upper_momentum_pz)
+        )
         t1465 = t1460 - minus_limb4_lower_twist_wz * limb4_upper_momentum_Ly
         t1466 = minus_limb4_upper_twist_vy * minus_limb4_upper_momentum_pz
-        limb4_upper_rate_at_O_mx = t1456 - (t1465 - (t1466 - minus_limb4_upper_twist_vz * minus_limb4_upper_momentum_py))
+        limb4_upper_rate_at_O_mx = (
+            t1456 - (t1465 - (t1466 - minus_limb4_upper_twist_vz * minus_limb4_upper_momentum_py))
+        )
         t1473 = t1358 + (t1404 * t1420 - t1391 * t1452)
-        limb4_upper_momentum_Lx = t1343 - (t1382 * minus_limb4_upper_momentum_pz + t1404 * minus_limb4_upper_momentum_py)
+        limb4_upper_momentum_Lx = (
+            t1343 - (t1382 * minus_limb4_upper_momentum_pz + t1404 * minus_limb4_upper_momentum_py)
+        )
         t1477 = minus_limb4_lower_twist_wz * limb4_upper_momentum_Lx
         t1479 = t1477 - limb4_lower_twist_wx * minus_limb4_upper_momentum_Lz
         t1480 = minus_limb4_upper_twist_vz * minus_limb4_upper_momentum_px
-        limb4_upper_rate_at_O_my = t1473 - (t1479 - (t1480 - minus_limb4_upper_twist_vx * minus_limb4_upper_momentum_pz))
+        limb4_upper_rate_at_O_my = (
+            t1473 - (t1479 - (t1480 - minus_limb4_upper_twist_vx * minus_limb4_upper_momentum_pz))
+        )
         t1486 = limb4_lower_twist_wx * limb4_upper_momentum_Ly - limb4_U_v_0 * limb4_upper_momentum_Lx
         t1487 = minus_limb4_upper_twist_vx * minus_limb4_upper_momentum_py
         t1490 = t1486 + (t1487 - minus_limb4_upper_twist_vy * minus_limb4_upper_momentum_px)
         limb4_upper_rate_at_O_mz = t1490 - (t1372 - (t1391 * t1438 + t1382 * t1420))
+        guards = ()
         return _finish(batch, ((platform_rate_at_O_fx, platform_rate_at_O_fy, platform_rate_at_O_fz,
             platform_rate_at_O_mx, platform_rate_at_O_my, platform_rate_at_O_mz,
             limb1_lower_rate_at_O_fx, limb1_lower_rate_at_O_fy, limb1_lower_rate_at_O_fz,
@@ -4938,7 +5346,7 @@ def momentum_rates(*arguments):
             limb4_lower_rate_at_O_fx, limb4_lower_rate_at_O_fy, limb4_lower_rate_at_O_fz,
             limb4_lower_rate_at_O_mx, limb4_lower_rate_at_O_my, limb4_lower_rate_at_O_mz,
             limb4_upper_rate_at_O_fx, limb4_upper_rate_at_O_fy, limb4_upper_rate_at_O_fz,
-            limb4_upper_rate_at_O_mx, limb4_upper_rate_at_O_my, limb4_upper_rate_at_O_mz),), (),
+            limb4_upper_rate_at_O_mx, limb4_upper_rate_at_O_my, limb4_upper_rate_at_O_mz),), guards,
             (platform_rate_at_O_fx, platform_rate_at_O_fy, platform_rate_at_O_fz,
             platform_rate_at_O_mx, platform_rate_at_O_my, platform_rate_at_O_mz,
             limb1_lower_rate_at_O_fx, limb1_lower_rate_at_O_fy, limb1_lower_rate_at_O_fz,
@@ -4993,104 +5401,121 @@ def energy(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # limb1: energy; geometry; velocities, eq. (6)
-        limb1_U_0_energy_kinetic_up_to = 0.1112 * (limb1_U_v_0 * limb1_U_v_0)
+        limb1_U_0_energy_kinetic_up_to = k3 * (limb1_U_v_0 * limb1_U_v_0)
         t1 = limb1_U_v_1 * limb1_U_v_1
-        t2 = 0.5235987755982989 + limb1_U_q_1
+        t2 = limb_lower_phase + limb1_U_q_1
         limb1_lower_omega_x = limb1_U_v_0 * np.sin(t2)
         t3 = limb1_lower_omega_x * limb1_lower_omega_x
         limb1_lower_cos = np.cos(t2)
         limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos
-        t6 = 2.3083 * (t1 + (t3 + limb1_lower_omega_y * limb1_lower_omega_y))
-        t8 = limb1_lower_omega_x * (2.3083 * limb1_lower_omega_x)
-        t11 = t8 + limb1_lower_omega_y * (0.0356 * limb1_lower_omega_y)
-        limb1_lower_energy_kinetic_up_to = limb1_U_0_energy_kinetic_up_to + (t6 - (t11 - limb1_U_v_1 * (0.0356 * limb1_U_v_1)))
+        t6 = k4 * (t1 + (t3 + limb1_lower_omega_y * limb1_lower_omega_y))
+        t8 = limb1_lower_omega_x * (k4 * limb1_lower_omega_x)
+        t14 = t8 + limb1_lower_omega_y * (k5 * limb1_lower_omega_y) - limb1_U_v_1 * (k5 * limb1_U_v_1)
         # limb2: energy; geometry; velocities, eq. (6)
-        limb2_U_0_energy_kinetic_up_to = limb1_lower_energy_kinetic_up_to + 0.1112 * (limb2_U_v_0 * limb2_U_v_0)
+        limb2_U_0_energy_kinetic_up_to = (
+            limb1_U_0_energy_kinetic_up_to + (t6 - t14) + k3 * (limb2_U_v_0 * limb2_U_v_0)
+        )
         t17 = limb2_U_v_1 * limb2_U_v_1
-        t18 = 2.6179938779914944 + limb2_U_q_1
+        t18 = limb_lower_phase_2 + limb2_U_q_1
         limb2_lower_omega_x = limb2_U_v_0 * np.sin(t18)
         t19 = limb2_lower_omega_x * limb2_lower_omega_x
         limb2_lower_cos = np.cos(t18)
         limb2_lower_omega_y = limb2_U_v_0 * limb2_lower_cos
-        t22 = 2.3083 * (t17 + (t19 + limb2_lower_omega_y * limb2_lower_omega_y))
-        t24 = limb2_lower_omega_x * (2.3083 * limb2_lower_omega_x)
-        t27 = t24 + limb2_lower_omega_y * (0.0356 * limb2_lower_omega_y)
-        limb2_lower_energy_kinetic_up_to = limb2_U_0_energy_kinetic_up_to + (t22 - (t27 - limb2_U_v_1 * (0.0356 * limb2_U_v_1)))
+        t22 = k4 * (t17 + (t19 + limb2_lower_omega_y * limb2_lower_omega_y))
+        t24 = limb2_lower_omega_x * (k4 * limb2_lower_omega_x)
+        t30 = t24 + limb2_lower_omega_y * (k5 * limb2_lower_omega_y) - limb2_U_v_1 * (k5 * limb2_U_v_1)
         # limb3: energy; geometry; velocities, eq. (6)
-        limb3_U_0_energy_kinetic_up_to = limb2_lower_energy_kinetic_up_to + 0.1112 * (limb3_U_v_0 * limb3_U_v_0)
+        limb3_U_0_energy_kinetic_up_to = (
+            limb2_U_0_energy_kinetic_up_to + (t22 - t30) + k3 * (limb3_U_v_0 * limb3_U_v_0)
+        )
         t33 = limb3_U_v_1 * limb3_U_v_1
-        t34 = 0.5235987755982989 - limb3_U_q_1
+        t34 = limb_lower_phase - limb3_U_q_1
         minus_limb3_lower_omega_x = limb3_U_v_0 * np.sin(t34)
         t35 = minus_limb3_lower_omega_x * minus_limb3_lower_omega_x
         limb3_lower_cos = np.cos(t34)
         limb3_lower_omega_y = limb3_U_v_0 * limb3_lower_cos
-        t38 = 2.3083 * (t33 + (t35 + limb3_lower_omega_y * limb3_lower_omega_y))
-        t40 = minus_limb3_lower_omega_x * (2.3083 * minus_limb3_lower_omega_x)
-        t43 = t40 + limb3_lower_omega_y * (0.0356 * limb3_lower_omega_y)
-        limb3_lower_energy_kinetic_up_to = limb3_U_0_energy_kinetic_up_to + (t38 - (t43 - limb3_U_v_1 * (0.0356 * limb3_U_v_1)))
+        t38 = k4 * (t33 + (t35 + limb3_lower_omega_y * limb3_lower_omega_y))
+        t40 = minus_limb3_lower_omega_x * (k4 * minus_limb3_lower_omega_x)
+        t46 = t40 + limb3_lower_omega_y * (k5 * limb3_lower_omega_y) - limb3_U_v_1 * (k5 * limb3_U_v_1)
         # limb4: energy; geometry; velocities, eq. (6)
-        limb4_U_0_energy_kinetic_up_to = limb3_lower_energy_kinetic_up_to + 0.1112 * (limb4_U_v_0 * limb4_U_v_0)
+        limb4_U_0_energy_kinetic_up_to = (
+            limb3_U_0_energy_kinetic_up_to + (t38 - t46) + k3 * (limb4_U_v_0 * limb4_U_v_0)
+        )
         t49 = limb4_U_v_1 * limb4_U_v_1
-        t50 = 2.6179938779914944 - limb4_U_q_1
+        t50 = limb_lower_phase_2 - limb4_U_q_1
         minus_limb4_lower_omega_x = limb4_U_v_0 * np.sin(t50)
         t51 = minus_limb4_lower_omega_x * minus_limb4_lower_omega_x
         limb4_lower_cos = np.cos(t50)
         limb4_lower_omega_y = limb4_U_v_0 * limb4_lower_cos
-        t54 = 2.3083 * (t49 + (t51 + limb4_lower_omega_y * limb4_lower_omega_y))
-        t56 = minus_limb4_lower_omega_x * (2.3083 * minus_limb4_lower_omega_x)
-        t59 = t56 + limb4_lower_omega_y * (0.0356 * limb4_lower_omega_y)
-        limb4_lower_energy_kinetic_up_to = limb4_U_0_energy_kinetic_up_to + (t54 - (t59 - limb4_U_v_1 * (0.0356 * limb4_U_v_1)))
-        t68 = 115.5249 * (limb5_S_v_wz * limb5_S_v_wz + (limb5_S_v_wx * limb5_S_v_wx + limb5_S_v_wy * limb5_S_v_wy))  # platform
-        t73 = limb5_S_v_wx * (46.05 * limb5_S_v_wx) + limb5_S_v_wy * (46.05 * limb5_S_v_wy)  # limb5_S
-        platform_energy_kinetic_up_to = limb4_lower_energy_kinetic_up_to + (t68 - (t73 + limb5_S_v_wz * (23.4249 * limb5_S_v_wz)))
-        t79 = limb1_P_v * (1.42 * limb1_P_v)  # limb1
-        limb1_upper_offset_x = 0.3 + limb1_P_q
+        t54 = k4 * (t49 + (t51 + limb4_lower_omega_y * limb4_lower_omega_y))
+        t56 = minus_limb4_lower_omega_x * (k4 * minus_limb4_lower_omega_x)
+        t62 = t56 + limb4_lower_omega_y * (k5 * limb4_lower_omega_y) - limb4_U_v_1 * (k5 * limb4_U_v_1)
+        limb4_lower_energy_kinetic_up_to = limb4_U_0_energy_kinetic_up_to + (t54 - t62)
+        t68 = (
+            k6 * (limb5_S_v_wz * limb5_S_v_wz + (limb5_S_v_wx * limb5_S_v_wx + limb5_S_v_wy * limb5_S_v_wy))
+        )  # platform
+        t73 = limb5_S_v_wx * (platform_sxx * limb5_S_v_wx) + limb5_S_v_wy * (platform_sxx * limb5_S_v_wy)  # limb5_S
+        platform_energy_kinetic_up_to = (
+            limb4_lower_energy_kinetic_up_to + (t68 - (t73 + limb5_S_v_wz * (platform_szz * limb5_S_v_wz)))
+        )
+        t79 = limb1_P_v * (limb_lower_m * limb1_P_v)  # limb1
+        limb1_upper_offset_x = limb_upper_phase + limb1_P_q
         limb1_upper_vel_y = limb1_U_v_1 * limb1_upper_offset_x
-        t84 = t79 - limb1_upper_vel_y * (0.426 * limb1_U_v_1 - 1.42 * limb1_upper_vel_y)  # limb1
+        t84 = t79 - limb1_upper_vel_y * (k7 * limb1_U_v_1 - limb_lower_m * limb1_upper_vel_y)  # limb1
         minus_limb1_upper_vel_z = limb1_upper_offset_x * limb1_lower_omega_y
-        t89 = t84 - minus_limb1_upper_vel_z * (0.426 * limb1_lower_omega_y - 1.42 * minus_limb1_upper_vel_z)  # limb1
-        limb1_upper_energy_kinetic_up_to = platform_energy_kinetic_up_to + t89
-        t91 = limb2_P_v * (1.42 * limb2_P_v)  # limb2
-        limb2_upper_offset_x = 0.3 + limb2_P_q
+        t88 = minus_limb1_upper_vel_z * (k7 * limb1_lower_omega_y - limb_lower_m * minus_limb1_upper_vel_z)  # limb1
+        limb1_upper_energy_kinetic_up_to = platform_energy_kinetic_up_to + (t84 - t88)
+        t91 = limb2_P_v * (limb_lower_m * limb2_P_v)  # limb2
+        limb2_upper_offset_x = limb_upper_phase + limb2_P_q
         limb2_upper_vel_y = limb2_U_v_1 * limb2_upper_offset_x
-        t96 = t91 - limb2_upper_vel_y * (0.426 * limb2_U_v_1 - 1.42 * limb2_upper_vel_y)  # limb2
+        t96 = t91 - limb2_upper_vel_y * (k7 * limb2_U_v_1 - limb_lower_m * limb2_upper_vel_y)  # limb2
         minus_limb2_upper_vel_z = limb2_upper_offset_x * limb2_lower_omega_y
-        t101 = t96 - minus_limb2_upper_vel_z * (0.426 * limb2_lower_omega_y - 1.42 * minus_limb2_upper_vel_z)  # limb2
-        limb2_upper_energy_kinetic_up_to = limb1_upper_energy_kinetic_up_to + t101
-        t103 = limb3_P_v * (1.42 * limb3_P_v)  # limb3
-        limb3_upper_offset_x = 0.3 + limb3_P_q
+        t100 = (
+            minus_limb2_upper_vel_z * (k7 * limb2_lower_omega_y - limb_lower_m * minus_limb2_upper_vel_z)
+        )  # limb2
+        limb2_upper_energy_kinetic_up_to = limb1_upper_energy_kinetic_up_to + (t96 - t100)
+        t103 = limb3_P_v * (limb_lower_m * limb3_P_v)  # limb3
+        limb3_upper_offset_x = limb_upper_phase + limb3_P_q
         limb3_upper_vel_y = limb3_U_v_1 * limb3_upper_offset_x
-        t108 = t103 - limb3_upper_vel_y * (0.426 * limb3_U_v_1 - 1.42 * limb3_upper_vel_y)  # limb3
+        t108 = t103 - limb3_upper_vel_y * (k7 * limb3_U_v_1 - limb_lower_m * limb3_upper_vel_y)  # limb3
         minus_limb3_upper_vel_z = limb3_upper_offset_x * limb3_lower_omega_y
-        t113 = t108 - minus_limb3_upper_vel_z * (0.426 * limb3_lower_omega_y - 1.42 * minus_limb3_upper_vel_z)  # limb3
-        limb3_upper_energy_kinetic_up_to = limb2_upper_energy_kinetic_up_to + t113
-        t115 = limb4_P_v * (1.42 * limb4_P_v)
-        limb4_upper_offset_x = 0.3 + limb4_P_q
+        t112 = (
+            minus_limb3_upper_vel_z * (k7 * limb3_lower_omega_y - limb_lower_m * minus_limb3_upper_vel_z)
+        )  # limb3
+        limb3_upper_energy_kinetic_up_to = limb2_upper_energy_kinetic_up_to + (t108 - t112)
+        t115 = limb4_P_v * (limb_lower_m * limb4_P_v)
+        limb4_upper_offset_x = limb_upper_phase + limb4_P_q
         limb4_upper_vel_y = limb4_U_v_1 * limb4_upper_offset_x
-        t120 = t115 - limb4_upper_vel_y * (0.426 * limb4_U_v_1 - 1.42 * limb4_upper_vel_y)
+        t120 = t115 - limb4_upper_vel_y * (k7 * limb4_U_v_1 - limb_lower_m * limb4_upper_vel_y)
         minus_limb4_upper_vel_z = limb4_upper_offset_x * limb4_lower_omega_y
-        t125 = t120 - minus_limb4_upper_vel_z * (0.426 * limb4_lower_omega_y - 1.42 * minus_limb4_upper_vel_z)
-        kinetic_energy = 0.5 * (limb3_upper_energy_kinetic_up_to + t125)
+        t124 = minus_limb4_upper_vel_z * (k7 * limb4_lower_omega_y - limb_lower_m * minus_limb4_upper_vel_z)
+        kinetic_energy = 0.5 * (limb3_upper_energy_kinetic_up_to + (t120 - t124))
         minus_limb4_lower_rotation_zx = np.cos(limb4_U_q_0) * limb4_lower_cos
-        t126 = 0.213 * minus_limb4_lower_rotation_zx
-        t129 = 9.81 * (t126 - 1.42 * (limb4_upper_offset_x * minus_limb4_lower_rotation_zx))
+        t126 = limb_lower_mx * minus_limb4_lower_rotation_zx
+        t129 = gravity_z * (t126 - limb_lower_m * (limb4_upper_offset_x * minus_limb4_lower_rotation_zx))
         limb3_lower_rotation_zx = np.cos(limb3_U_q_0) * limb3_lower_cos
-        t133 = 9.81 * (0.213 * limb3_lower_rotation_zx - 1.42 * (limb3_upper_offset_x * limb3_lower_rotation_zx))  # limb3
+        t130 = limb_lower_mx * limb3_lower_rotation_zx  # limb3
+        t133 = gravity_z * (t130 - limb_lower_m * (limb3_upper_offset_x * limb3_lower_rotation_zx))  # limb3
         minus_limb2_lower_rotation_zx = np.cos(limb2_U_q_0) * limb2_lower_cos
-        t134 = 0.213 * minus_limb2_lower_rotation_zx  # limb2
-        t137 = 9.81 * (t134 - 1.42 * (limb2_upper_offset_x * minus_limb2_lower_rotation_zx))  # limb2
+        t134 = limb_lower_mx * minus_limb2_lower_rotation_zx  # limb2
+        t137 = gravity_z * (t134 - limb_lower_m * (limb2_upper_offset_x * minus_limb2_lower_rotation_zx))  # limb2
         limb1_lower_rotation_zx = np.cos(limb1_U_q_0) * limb1_lower_cos
-        t141 = 9.81 * (0.213 * limb1_lower_rotation_zx - 1.42 * (limb1_upper_offset_x * limb1_lower_rotation_zx))  # limb1
+        t138 = limb_lower_mx * limb1_lower_rotation_zx  # limb1
+        t141 = gravity_z * (t138 - limb_lower_m * (limb1_upper_offset_x * limb1_lower_rotation_zx))  # limb1
         # limb5_S: geometry; energy
         t142 = limb5_S_q_qw * limb5_S_q_qw
         t143 = limb5_S_q_qx * limb5_S_q_qx
         t144 = t142 + t143
         t145 = limb5_S_q_qy * limb5_S_q_qy
         t148 = t144 + (t145 + limb5_S_q_qz * limb5_S_q_qz)
-        t153 = 14.62961126155784 * (1.0 - (4.0 - 2.0 * t148) * (t143 + t145))
-        t156 = minus_limb4_lower_rotation_zx - (limb3_lower_rotation_zx + (limb1_lower_rotation_zx - minus_limb2_lower_rotation_zx))
-        potential_energy = t129 - (t133 - (t137 - (t141 - (t153 - 2.08953 * t156))))
-        return _finish(batch, ((kinetic_energy, potential_energy),), (), (kinetic_energy,
+        t153 = gravity_z_platform_mz * (1.0 - (4.0 - 2.0 * t148) * (t143 + t145))
+        t156 = (
+            minus_limb4_lower_rotation_zx - (limb3_lower_rotation_zx + (limb1_lower_rotation_zx -
+            minus_limb2_lower_rotation_zx))
+        )
+        potential_energy = t129 - (t133 - (t137 - (t141 - (t153 - gravity_z_limb_lower_mx * t156))))
+        guards = ()
+        return _finish(batch, ((kinetic_energy, potential_energy),), guards, (kinetic_energy,
             potential_energy), ((t148, 0.999999, 1.000001, 5),))
 
 
@@ -5154,44 +5579,45 @@ def mass_matrix(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # limb1: geometry; inertia
-        limb1_lower_cos = np.cos(0.5235987755982989 + limb1_U_q_1)
-        limb1_upper_offset_x = 0.3 + limb1_P_q
-        t3 = limb1_upper_offset_x * (0.426 - 1.42 * limb1_upper_offset_x)
-        limb1_U_mass_matrix_0_by_limb1_U_0 = 0.1112 - limb1_lower_cos * (limb1_lower_cos * (t3 - 2.2727))
-        limb1_U_mass_matrix_1_by_limb1_U_1 = 2.3439 - t3
-        limb2_lower_cos = np.cos(2.6179938779914944 + limb2_U_q_1)
-        limb2_upper_offset_x = 0.3 + limb2_P_q
-        t9 = limb2_upper_offset_x * (0.426 - 1.42 * limb2_upper_offset_x)  # limb2
-        limb2_U_mass_matrix_0_by_limb2_U_0 = 0.1112 - limb2_lower_cos * (limb2_lower_cos * (t9 - 2.2727))
-        limb2_U_mass_matrix_1_by_limb2_U_1 = 2.3439 - t9
-        limb3_lower_cos = np.cos(0.5235987755982989 - limb3_U_q_1)
-        limb3_upper_offset_x = 0.3 + limb3_P_q
-        t15 = limb3_upper_offset_x * (0.426 - 1.42 * limb3_upper_offset_x)  # limb3
-        limb3_U_mass_matrix_0_by_limb3_U_0 = 0.1112 - limb3_lower_cos * (limb3_lower_cos * (t15 - 2.2727))
-        limb3_U_mass_matrix_1_by_limb3_U_1 = 2.3439 - t15
-        limb4_lower_cos = np.cos(2.6179938779914944 - limb4_U_q_1)
-        limb4_upper_offset_x = 0.3 + limb4_P_q
-        t21 = limb4_upper_offset_x * (0.426 - 1.42 * limb4_upper_offset_x)  # limb4
-        limb4_U_mass_matrix_0_by_limb4_U_0 = 0.1112 - limb4_lower_cos * (limb4_lower_cos * (t21 - 2.2727))
-        limb4_U_mass_matrix_1_by_limb4_U_1 = 2.3439 - t21
+        limb1_lower_cos = np.cos(limb_lower_phase + limb1_U_q_1)
+        limb1_upper_offset_x = limb_upper_phase + limb1_P_q
+        t3 = limb1_upper_offset_x * (k7 - limb_lower_m * limb1_upper_offset_x)
+        limb1_U_mass_matrix_0_by_limb1_U_0 = k3 - limb1_lower_cos * (limb1_lower_cos * (t3 - k8))
+        limb1_U_mass_matrix_1_by_limb1_U_1 = k9 - t3
+        limb2_lower_cos = np.cos(limb_lower_phase_2 + limb2_U_q_1)
+        limb2_upper_offset_x = limb_upper_phase + limb2_P_q
+        t9 = limb2_upper_offset_x * (k7 - limb_lower_m * limb2_upper_offset_x)  # limb2
+        limb2_U_mass_matrix_0_by_limb2_U_0 = k3 - limb2_lower_cos * (limb2_lower_cos * (t9 - k8))
+        limb2_U_mass_matrix_1_by_limb2_U_1 = k9 - t9
+        limb3_lower_cos = np.cos(limb_lower_phase - limb3_U_q_1)
+        limb3_upper_offset_x = limb_upper_phase + limb3_P_q
+        t15 = limb3_upper_offset_x * (k7 - limb_lower_m * limb3_upper_offset_x)  # limb3
+        limb3_U_mass_matrix_0_by_limb3_U_0 = k3 - limb3_lower_cos * (limb3_lower_cos * (t15 - k8))
+        limb3_U_mass_matrix_1_by_limb3_U_1 = k9 - t15
+        limb4_lower_cos = np.cos(limb_lower_phase_2 - limb4_U_q_1)
+        limb4_upper_offset_x = limb_upper_phase + limb4_P_q
+        t21 = limb4_upper_offset_x * (k7 - limb_lower_m * limb4_upper_offset_x)  # limb4
+        limb4_U_mass_matrix_0_by_limb4_U_0 = k3 - limb4_lower_cos * (limb4_lower_cos * (t21 - k8))
+        limb4_U_mass_matrix_1_by_limb4_U_1 = k9 - t21
+        guards = ()
         return _finish(batch, ((limb1_U_mass_matrix_0_by_limb1_U_0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
             0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, limb1_U_mass_matrix_1_by_limb1_U_1, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.42, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, limb_lower_m, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
             limb2_U_mass_matrix_0_by_limb2_U_0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
             0.0, 0.0, 0.0, 0.0, 0.0, limb2_U_mass_matrix_1_by_limb2_U_1, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.42, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, limb3_U_mass_matrix_0_by_limb3_U_0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, limb_lower_m, 0.0, 0.0, 0.0, 0.0, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, limb3_U_mass_matrix_0_by_limb3_U_0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
             limb3_U_mass_matrix_1_by_limb3_U_1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 1.42, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, limb4_U_mass_matrix_0_by_limb4_U_0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, limb4_U_mass_matrix_1_by_limb4_U_1, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.42, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 69.4749, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 69.4749, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 92.1),), (),
-            (limb1_U_mass_matrix_0_by_limb1_U_0, limb1_U_mass_matrix_1_by_limb1_U_1,
+            0.0, 0.0, 0.0, 0.0, 0.0, limb_lower_m, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, limb4_U_mass_matrix_0_by_limb4_U_0, 0.0, 0.0, 0.0, 0.0, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, limb4_U_mass_matrix_1_by_limb4_U_1,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, limb_lower_m,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, k13, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, k13, 0.0, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, platform_Izz),),
+            guards, (limb1_U_mass_matrix_0_by_limb1_U_0, limb1_U_mass_matrix_1_by_limb1_U_1,
             limb2_U_mass_matrix_0_by_limb2_U_0, limb2_U_mass_matrix_1_by_limb2_U_1,
             limb3_U_mass_matrix_0_by_limb3_U_0, limb3_U_mass_matrix_1_by_limb3_U_1,
             limb4_U_mass_matrix_0_by_limb4_U_0, limb4_U_mass_matrix_1_by_limb4_U_1, limb1_U_q_0,
@@ -5236,149 +5662,185 @@ def bias(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # limb1: balance, eqs. (40)-(47); accelerations; momentum rate, eq. (35)
-        t1 = 0.5235987755982989 + limb1_U_q_1
+        t1 = limb_lower_phase + limb1_U_q_1
         limb1_lower_sin = np.sin(t1)
         limb1_lower_cos = np.cos(t1)
         limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos
-        t2 = limb1_lower_sin * (0.0712 * (limb1_U_v_1 * limb1_lower_omega_y))
+        t2 = limb1_lower_sin * (k10 * (limb1_U_v_1 * limb1_lower_omega_y))
         t4 = limb1_P_v * (2.0 * limb1_lower_omega_y)
-        limb1_upper_offset_x = 0.3 + limb1_P_q
+        limb1_upper_offset_x = limb_upper_phase + limb1_P_q
         limb1_lower_omega_x = limb1_U_v_0 * limb1_lower_sin
         minus_limb1_lower_alpha_still_y = limb1_U_v_1 * limb1_lower_omega_x
         t5 = limb1_upper_offset_x * (2.0 * minus_limb1_lower_alpha_still_y)
         limb1_U_0_sin = np.sin(limb1_U_q_0)
-        minus_limb1_upper_acc_still_z = t4 - (t5 + 9.81 * limb1_U_0_sin)
-        minus_limb1_upper_rate_my = 0.213 * minus_limb1_upper_acc_still_z
-        t7 = limb1_upper_offset_x * (0.426 * minus_limb1_lower_alpha_still_y + 1.42 * minus_limb1_upper_acc_still_z)
+        minus_limb1_upper_acc_still_z = t4 - (t5 + gravity_z * limb1_U_0_sin)
+        minus_limb1_upper_rate_my = limb_lower_mx * minus_limb1_upper_acc_still_z
+        t7 = (
+            limb1_upper_offset_x * (k7 * minus_limb1_lower_alpha_still_y + limb_lower_m *
+            minus_limb1_upper_acc_still_z)
+        )
         t8 = minus_limb1_upper_rate_my - t7
-        t10 = limb1_lower_cos * (t8 + (2.08953 * limb1_U_0_sin + 4.6166 * minus_limb1_lower_alpha_still_y))
+        t10 = (
+            limb1_lower_cos * (t8 + (gravity_z_limb_lower_mx * limb1_U_0_sin + k11 *
+            minus_limb1_lower_alpha_still_y))
+        )
         limb1_U_0_moment_z = t2 - t10
         limb1_lower_U_still_xy = limb1_lower_omega_x * limb1_lower_omega_y
-        t11 = 2.2727 * limb1_lower_U_still_xy
-        limb1_U_0_acc_y = 9.81 * np.cos(limb1_U_q_0)
+        t11 = k8 * limb1_lower_U_still_xy
+        limb1_U_0_acc_y = gravity_z * np.cos(limb1_U_q_0)
         minus_limb1_lower_acc_y = limb1_lower_sin * limb1_U_0_acc_y
-        limb1_lower_rate_mz = t11 - 0.213 * minus_limb1_lower_acc_y
+        limb1_lower_rate_mz = t11 - limb_lower_mx * minus_limb1_lower_acc_y
         t13 = limb1_P_v * (2.0 * limb1_U_v_1)
         limb1_upper_acc_still_y = t13 + (limb1_upper_offset_x * limb1_lower_U_still_xy - minus_limb1_lower_acc_y)
-        minus_limb1_upper_rate_mz = 0.213 * limb1_upper_acc_still_y
-        t17 = minus_limb1_upper_rate_mz + limb1_upper_offset_x * (0.213 * limb1_lower_U_still_xy - 1.42 * limb1_upper_acc_still_y)
-        limb1_lower_moment_z = limb1_lower_rate_mz - t17
+        minus_limb1_upper_rate_mz = limb_lower_mx * limb1_upper_acc_still_y
+        t16 = (
+            limb1_upper_offset_x * (limb_lower_mx * limb1_lower_U_still_xy - limb_lower_m * limb1_upper_acc_still_y)
+        )
+        limb1_lower_moment_z = limb1_lower_rate_mz - (minus_limb1_upper_rate_mz + t16)
         minus_limb1_lower_U_still_xx = limb1_lower_omega_y * limb1_lower_omega_y + limb1_U_v_1 * limb1_U_v_1
-        minus_limb1_lower_rate_fx = 0.213 * minus_limb1_lower_U_still_xx
-        minus_limb1_lower_force_x = 1.42 * (limb1_upper_offset_x * minus_limb1_lower_U_still_xx - limb1_lower_cos * limb1_U_0_acc_y)
+        minus_limb1_lower_rate_fx = limb_lower_mx * minus_limb1_lower_U_still_xx
+        minus_limb1_lower_force_x = (
+            limb_lower_m * (limb1_upper_offset_x * minus_limb1_lower_U_still_xx - limb1_lower_cos * limb1_U_0_acc_y)
+        )
         limb1_upper_rate_fx = minus_limb1_lower_rate_fx - minus_limb1_lower_force_x
         # limb2: balance, eqs. (40)-(47); accelerations; momentum rate, eq. (35)
-        t20 = 2.6179938779914944 + limb2_U_q_1
+        t20 = limb_lower_phase_2 + limb2_U_q_1
         limb2_lower_sin = np.sin(t20)
         limb2_lower_cos = np.cos(t20)
         limb2_lower_omega_y = limb2_U_v_0 * limb2_lower_cos
-        t21 = limb2_lower_sin * (0.0712 * (limb2_U_v_1 * limb2_lower_omega_y))
+        t21 = limb2_lower_sin * (k10 * (limb2_U_v_1 * limb2_lower_omega_y))
         t23 = limb2_P_v * (2.0 * limb2_lower_omega_y)
-        limb2_upper_offset_x = 0.3 + limb2_P_q
+        limb2_upper_offset_x = limb_upper_phase + limb2_P_q
         limb2_lower_omega_x = limb2_U_v_0 * limb2_lower_sin
         minus_limb2_lower_alpha_still_y = limb2_U_v_1 * limb2_lower_omega_x
         t24 = limb2_upper_offset_x * (2.0 * minus_limb2_lower_alpha_still_y)
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
-        minus_limb2_upper_acc_still_z = t23 - (t24 - 9.81 * minus_limb2_U_0_cos)
-        minus_limb2_upper_rate_my = 0.213 * minus_limb2_upper_acc_still_z
-        t26 = limb2_upper_offset_x * (0.426 * minus_limb2_lower_alpha_still_y + 1.42 * minus_limb2_upper_acc_still_z)
+        minus_limb2_upper_acc_still_z = t23 - (t24 - gravity_z * minus_limb2_U_0_cos)
+        minus_limb2_upper_rate_my = limb_lower_mx * minus_limb2_upper_acc_still_z
+        t26 = (
+            limb2_upper_offset_x * (k7 * minus_limb2_lower_alpha_still_y + limb_lower_m *
+            minus_limb2_upper_acc_still_z)
+        )
         t27 = minus_limb2_upper_rate_my - t26
-        t29 = limb2_lower_cos * (t27 - (2.08953 * minus_limb2_U_0_cos - 4.6166 * minus_limb2_lower_alpha_still_y))
-        limb2_U_0_moment_z = t21 - t29
+        minus_limb2_lower_moment_y = (
+            t27 - (gravity_z_limb_lower_mx * minus_limb2_U_0_cos - k11 * minus_limb2_lower_alpha_still_y)
+        )
+        limb2_U_0_moment_z = t21 - limb2_lower_cos * minus_limb2_lower_moment_y
         limb2_lower_U_still_xy = limb2_lower_omega_x * limb2_lower_omega_y
-        t30 = 2.2727 * limb2_lower_U_still_xy
-        minus_limb2_U_0_acc_y = 9.81 * np.cos(limb2_U_q_0)
+        t30 = k8 * limb2_lower_U_still_xy
+        minus_limb2_U_0_acc_y = gravity_z * np.cos(limb2_U_q_0)
         limb2_lower_acc_y = limb2_lower_sin * minus_limb2_U_0_acc_y
-        limb2_lower_rate_mz = t30 + 0.213 * limb2_lower_acc_y
+        limb2_lower_rate_mz = t30 + limb_lower_mx * limb2_lower_acc_y
         t32 = limb2_P_v * (2.0 * limb2_U_v_1)
         limb2_upper_acc_still_y = t32 + (limb2_upper_offset_x * limb2_lower_U_still_xy + limb2_lower_acc_y)
-        minus_limb2_upper_rate_mz = 0.213 * limb2_upper_acc_still_y
-        t36 = minus_limb2_upper_rate_mz + limb2_upper_offset_x * (0.213 * limb2_lower_U_still_xy - 1.42 * limb2_upper_acc_still_y)
-        limb2_lower_moment_z = limb2_lower_rate_mz - t36
+        minus_limb2_upper_rate_mz = limb_lower_mx * limb2_upper_acc_still_y
+        t35 = (
+            limb2_upper_offset_x * (limb_lower_mx * limb2_lower_U_still_xy - limb_lower_m * limb2_upper_acc_still_y)
+        )
+        limb2_lower_moment_z = limb2_lower_rate_mz - (minus_limb2_upper_rate_mz + t35)
         minus_limb2_lower_U_still_xx = limb2_lower_omega_y * limb2_lower_omega_y + limb2_U_v_1 * limb2_U_v_1
-        minus_limb2_lower_rate_fx = 0.213 * minus_limb2_lower_U_still_xx
-        minus_limb2_upper_acc_still_x_2 = limb2_upper_offset_x * minus_limb2_lower_U_still_xx + limb2_lower_cos * minus_limb2_U_0_acc_y
-        limb2_upper_rate_fx = minus_limb2_lower_rate_fx - 1.42 * minus_limb2_upper_acc_still_x_2
+        minus_limb2_lower_rate_fx = limb_lower_mx * minus_limb2_lower_U_still_xx
+        minus_limb2_upper_acc_still_x_2 = (
+            limb2_upper_offset_x * minus_limb2_lower_U_still_xx + limb2_lower_cos * minus_limb2_U_0_acc_y
+        )
+        limb2_upper_rate_fx = minus_limb2_lower_rate_fx - limb_lower_m * minus_limb2_upper_acc_still_x_2
         # limb3: balance, eqs. (40)-(47); accelerations; momentum rate, eq. (35)
-        t39 = 0.5235987755982989 - limb3_U_q_1
+        t39 = limb_lower_phase - limb3_U_q_1
         minus_limb3_lower_sin = np.sin(t39)
         limb3_lower_cos = np.cos(t39)
         limb3_lower_omega_y = limb3_U_v_0 * limb3_lower_cos
-        t40 = minus_limb3_lower_sin * (0.0712 * (limb3_U_v_1 * limb3_lower_omega_y))
+        t40 = minus_limb3_lower_sin * (k10 * (limb3_U_v_1 * limb3_lower_omega_y))
         t42 = limb3_P_v * (2.0 * limb3_lower_omega_y)
-        limb3_upper_offset_x = 0.3 + limb3_P_q
+        limb3_upper_offset_x = limb_upper_phase + limb3_P_q
         minus_limb3_lower_omega_x = limb3_U_v_0 * minus_limb3_lower_sin
         limb3_lower_alpha_still_y = limb3_U_v_1 * minus_limb3_lower_omega_x
         t43 = limb3_upper_offset_x * (2.0 * limb3_lower_alpha_still_y)
         limb3_U_0_sin = np.sin(limb3_U_q_0)
-        minus_limb3_upper_acc_still_z = t42 + (t43 - 9.81 * limb3_U_0_sin)
-        minus_limb3_upper_rate_my = 0.213 * minus_limb3_upper_acc_still_z
-        t45 = limb3_upper_offset_x * (0.426 * limb3_lower_alpha_still_y - 1.42 * minus_limb3_upper_acc_still_z)
-        minus_limb3_lower_moment_y = minus_limb3_upper_rate_my + t45 + (2.08953 * limb3_U_0_sin - 4.6166 * limb3_lower_alpha_still_y)
-        minus_limb3_U_0_moment_z = t40 + limb3_lower_cos * minus_limb3_lower_moment_y
+        minus_limb3_upper_acc_still_z = t42 + (t43 - gravity_z * limb3_U_0_sin)
+        minus_limb3_upper_rate_my = limb_lower_mx * minus_limb3_upper_acc_still_z
+        t45 = limb3_upper_offset_x * (k7 * limb3_lower_alpha_still_y - limb_lower_m * minus_limb3_upper_acc_still_z)
+        t46 = minus_limb3_upper_rate_my + t45
+        t48 = limb3_lower_cos * (t46 + (gravity_z_limb_lower_mx * limb3_U_0_sin - k11 * limb3_lower_alpha_still_y))
+        minus_limb3_U_0_moment_z = t40 + t48
         limb3_U_0_moment_z = -minus_limb3_U_0_moment_z
         minus_limb3_lower_U_still_xy = minus_limb3_lower_omega_x * limb3_lower_omega_y
-        t49 = 2.2727 * minus_limb3_lower_U_still_xy
-        limb3_U_0_acc_y = 9.81 * np.cos(limb3_U_q_0)
+        t49 = k8 * minus_limb3_lower_U_still_xy
+        limb3_U_0_acc_y = gravity_z * np.cos(limb3_U_q_0)
         limb3_lower_acc_y = minus_limb3_lower_sin * limb3_U_0_acc_y
-        minus_limb3_lower_rate_mz = t49 - 0.213 * limb3_lower_acc_y
+        minus_limb3_lower_rate_mz = t49 - limb_lower_mx * limb3_lower_acc_y
         t51 = limb3_P_v * (2.0 * limb3_U_v_1)
         limb3_upper_acc_still_y = t51 - (limb3_upper_offset_x * minus_limb3_lower_U_still_xy - limb3_lower_acc_y)
-        minus_limb3_upper_rate_mz = 0.213 * limb3_upper_acc_still_y
-        t54 = limb3_upper_offset_x * (0.213 * minus_limb3_lower_U_still_xy + 1.42 * limb3_upper_acc_still_y)
+        minus_limb3_upper_rate_mz = limb_lower_mx * limb3_upper_acc_still_y
+        t54 = (
+            limb3_upper_offset_x * (limb_lower_mx * minus_limb3_lower_U_still_xy + limb_lower_m *
+            limb3_upper_acc_still_y)
+        )
         minus_limb3_lower_moment_z = minus_limb3_lower_rate_mz + (minus_limb3_upper_rate_mz - t54)
         limb3_lower_moment_z = -minus_limb3_lower_moment_z
         minus_limb3_lower_U_still_xx = limb3_lower_omega_y * limb3_lower_omega_y + limb3_U_v_1 * limb3_U_v_1
-        minus_limb3_lower_rate_fx = 0.213 * minus_limb3_lower_U_still_xx
-        minus_limb3_lower_force_x = 1.42 * (limb3_upper_offset_x * minus_limb3_lower_U_still_xx - limb3_lower_cos * limb3_U_0_acc_y)
+        minus_limb3_lower_rate_fx = limb_lower_mx * minus_limb3_lower_U_still_xx
+        minus_limb3_lower_force_x = (
+            limb_lower_m * (limb3_upper_offset_x * minus_limb3_lower_U_still_xx - limb3_lower_cos * limb3_U_0_acc_y)
+        )
         limb3_upper_rate_fx = minus_limb3_lower_rate_fx - minus_limb3_lower_force_x
         # limb4: balance, eqs. (40)-(47); accelerations; momentum rate, eq. (35)
-        t58 = 2.6179938779914944 - limb4_U_q_1
+        t58 = limb_lower_phase_2 - limb4_U_q_1
         minus_limb4_lower_sin = np.sin(t58)
         limb4_lower_cos = np.cos(t58)
         limb4_lower_omega_y = limb4_U_v_0 * limb4_lower_cos
-        t59 = minus_limb4_lower_sin * (0.0712 * (limb4_U_v_1 * limb4_lower_omega_y))
+        t59 = minus_limb4_lower_sin * (k10 * (limb4_U_v_1 * limb4_lower_omega_y))
         t61 = limb4_P_v * (2.0 * limb4_lower_omega_y)
-        limb4_upper_offset_x = 0.3 + limb4_P_q
+        limb4_upper_offset_x = limb_upper_phase + limb4_P_q
         minus_limb4_lower_omega_x = limb4_U_v_0 * minus_limb4_lower_sin
         limb4_lower_alpha_still_y = limb4_U_v_1 * minus_limb4_lower_omega_x
         t62 = limb4_upper_offset_x * (2.0 * limb4_lower_alpha_still_y)
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
-        minus_limb4_upper_acc_still_z = t61 + (t62 + 9.81 * minus_limb4_U_0_cos)
-        minus_limb4_upper_rate_my = 0.213 * minus_limb4_upper_acc_still_z
-        t64 = limb4_upper_offset_x * (0.426 * limb4_lower_alpha_still_y - 1.42 * minus_limb4_upper_acc_still_z)
+        minus_limb4_upper_acc_still_z = t61 + (t62 + gravity_z * minus_limb4_U_0_cos)
+        minus_limb4_upper_rate_my = limb_lower_mx * minus_limb4_upper_acc_still_z
+        t64 = limb4_upper_offset_x * (k7 * limb4_lower_alpha_still_y - limb_lower_m * minus_limb4_upper_acc_still_z)
         t65 = minus_limb4_upper_rate_my + t64
-        t67 = limb4_lower_cos * (t65 - (2.08953 * minus_limb4_U_0_cos + 4.6166 * limb4_lower_alpha_still_y))
+        t67 = (
+            limb4_lower_cos * (t65 - (gravity_z_limb_lower_mx * minus_limb4_U_0_cos + k11 *
+            limb4_lower_alpha_still_y))
+        )
         minus_limb4_U_0_moment_z = t59 + t67
         limb4_U_0_moment_z = -minus_limb4_U_0_moment_z
         minus_limb4_lower_U_still_xy = minus_limb4_lower_omega_x * limb4_lower_omega_y
-        t68 = 2.2727 * minus_limb4_lower_U_still_xy
-        minus_limb4_U_0_acc_y = 9.81 * np.cos(limb4_U_q_0)
+        t68 = k8 * minus_limb4_lower_U_still_xy
+        minus_limb4_U_0_acc_y = gravity_z * np.cos(limb4_U_q_0)
         minus_limb4_lower_acc_y = minus_limb4_lower_sin * minus_limb4_U_0_acc_y
-        minus_limb4_lower_rate_mz = t68 + 0.213 * minus_limb4_lower_acc_y
+        minus_limb4_lower_rate_mz = t68 + limb_lower_mx * minus_limb4_lower_acc_y
         t70 = limb4_P_v * (2.0 * limb4_U_v_1)
-        limb4_upper_acc_still_y = t70 - (limb4_upper_offset_x * minus_limb4_lower_U_still_xy + minus_limb4_lower_acc_y)
-        minus_limb4_upper_rate_mz = 0.213 * limb4_upper_acc_still_y
-        t73 = limb4_upper_offset_x * (0.213 * minus_limb4_lower_U_still_xy + 1.42 * limb4_upper_acc_still_y)
+        limb4_upper_acc_still_y = (
+            t70 - (limb4_upper_offset_x * minus_limb4_lower_U_still_xy + minus_limb4_lower_acc_y)
+        )
+        minus_limb4_upper_rate_mz = limb_lower_mx * limb4_upper_acc_still_y
+        t73 = (
+            limb4_upper_offset_x * (limb_lower_mx * minus_limb4_lower_U_still_xy + limb_lower_m *
+            limb4_upper_acc_still_y)
+        )
         minus_limb4_lower_moment_z = minus_limb4_lower_rate_mz + (minus_limb4_upper_rate_mz - t73)
         limb4_lower_moment_z = -minus_limb4_lower_moment_z
         minus_limb4_lower_U_still_xx = limb4_lower_omega_y * limb4_lower_omega_y + limb4_U_v_1 * limb4_U_v_1
-        minus_limb4_lower_rate_fx = 0.213 * minus_limb4_lower_U_still_xx
-        minus_limb4_upper_acc_still_x_2 = limb4_upper_offset_x * minus_limb4_lower_U_still_xx + limb4_lower_cos * minus_limb4_U_0_acc_y
-        limb4_upper_rate_fx = minus_limb4_lower_rate_fx - 1.42 * minus_limb4_upper_acc_still_x_2
+        minus_limb4_lower_rate_fx = limb_lower_mx * minus_limb4_lower_U_still_xx
+        minus_limb4_upper_acc_still_x_2 = (
+            limb4_upper_offset_x * minus_limb4_lower_U_still_xx + limb4_lower_cos * minus_limb4_U_0_acc_y
+        )
+        limb4_upper_rate_fx = minus_limb4_lower_rate_fx - limb_lower_m * minus_limb4_upper_acc_still_x_2
         # platform: momentum rate, eq. (35); geometry; balance, eqs. (40)-(47)
-        t77 = 22.6251 * (limb5_S_v_wy * limb5_S_v_wz)
+        t77 = k12 * (limb5_S_v_wy * limb5_S_v_wz)
         t80 = limb5_S_q_qw * limb5_S_q_qw + limb5_S_q_qx * limb5_S_q_qx
         t84 = t80 + (limb5_S_q_qy * limb5_S_q_qy + limb5_S_q_qz * limb5_S_q_qz)
         t86 = 4.0 - 2.0 * t84
         t87 = limb5_S_q_qz * t86
-        platform_rate_mx = t77 - 14.62961126155784 * (limb5_S_q_qy * t87 + limb5_S_q_qw * (limb5_S_q_qx * t86))
-        platform_moment_y = 14.62961126155784 * (limb5_S_q_qx * t87 - limb5_S_q_qw * (limb5_S_q_qy * t86))
-        platform_rate_my = platform_moment_y - 22.6251 * (limb5_S_v_wx * limb5_S_v_wz)
+        platform_rate_mx = t77 - gravity_z_platform_mz * (limb5_S_q_qy * t87 + limb5_S_q_qw * (limb5_S_q_qx * t86))
+        platform_moment_y = gravity_z_platform_mz * (limb5_S_q_qx * t87 - limb5_S_q_qw * (limb5_S_q_qy * t86))
+        platform_rate_my = platform_moment_y - k12 * (limb5_S_v_wx * limb5_S_v_wz)
+        guards = ()
         return _finish(batch, ((limb1_U_0_moment_z, limb1_lower_moment_z, limb1_upper_rate_fx,
             limb2_U_0_moment_z, limb2_lower_moment_z, limb2_upper_rate_fx, limb3_U_0_moment_z,
             limb3_lower_moment_z, limb3_upper_rate_fx, limb4_U_0_moment_z, limb4_lower_moment_z,
-            limb4_upper_rate_fx, platform_rate_mx, platform_rate_my, 0.0),), (),
+            limb4_upper_rate_fx, platform_rate_mx, platform_rate_my, 0.0),), guards,
             (limb1_U_0_moment_z, limb1_lower_moment_z, limb1_upper_rate_fx, limb2_U_0_moment_z,
             limb2_lower_moment_z, limb2_upper_rate_fx, minus_limb3_U_0_moment_z,
             minus_limb3_lower_moment_z, limb3_upper_rate_fx, minus_limb4_U_0_moment_z,
@@ -5430,9 +5892,9 @@ def inverse_dynamics(*arguments):
     with np.errstate(all="ignore"):
         # limb1: geometry; reciprocal wrenches, eq. (10)
         limb1_U_0_cos = np.cos(limb1_U_q_0)
-        t1 = 0.5235987755982989 + limb1_U_q_1
+        t1 = limb_lower_phase + limb1_U_q_1
         limb1_lower_cos = np.cos(t1)
-        minus_limb1_U2_arm_y = 0.8 * limb1_lower_cos
+        minus_limb1_U2_arm_y = param_R * limb1_lower_cos
         # platform: balance, eqs. (40)-(47)
         minus_platform_joint_force_my_by_limb1_P = limb1_U_0_cos * minus_limb1_U2_arm_y
         limb1_U_0_sin = np.sin(limb1_U_q_0)
@@ -5455,13 +5917,13 @@ def inverse_dynamics(*arguments):
         limb1_U2_constraint_mn_couple_x = t13 + limb1_U_0_sin * platform_turn_zy
         limb1_lower_sin = np.sin(t1)
         limb1_U_0_lever_mz_by_limb1_U2_mn = limb1_lower_sin * limb1_U2_constraint_mn_couple_x
-        limb1_upper_offset_x = 0.3 + limb1_P_q
+        limb1_upper_offset_x = limb_upper_phase + limb1_P_q
         minus_limb1_U_0_lever_mz_by_limb1_U2_fz = limb1_lower_cos * limb1_upper_offset_x
         t19 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz
         minus_limb1_U_factor_0_by_3 = limb1_U_0_lever_mz_by_limb1_U2_mn * t19
         t21 = limb1_U2_constraint_mn_couple_x - minus_limb1_U2_arm_y * minus_limb1_U_factor_0_by_3
         t22 = limb1_lower_cos * t21
-        limb1_U2_arm_x = limb1_upper_offset_x - 0.8 * limb1_lower_sin
+        limb1_U2_arm_x = limb1_upper_offset_x - param_R * limb1_lower_sin
         t24 = limb1_U2_arm_x * minus_limb1_U_factor_0_by_3
         t26 = t22 + limb1_lower_sin * t24
         t27 = limb1_U_0_sin * t26
@@ -5473,77 +5935,100 @@ def inverse_dynamics(*arguments):
         platform_turn_xy = t33 - t34
         limb1_U2_constraint_mn_couple_z = t31 - limb1_lower_sin * platform_turn_xy
         t36 = limb1_lower_cos * t19  # limb1
-        minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * (limb1_U2_constraint_mn_couple_z * t36)
+        minus_limb1_U2_factor_0_by_3 = (
+            limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * (limb1_U2_constraint_mn_couple_z * t36)
+        )
         t39 = t27 - limb1_U_0_cos * minus_limb1_U2_factor_0_by_3
         minus_platform_joint_force_mz_by_limb1_P = limb1_U_0_sin * minus_limb1_U2_arm_y
         platform_joint_force_mz_by_limb1_U2_mn = limb1_U_0_cos * t26 + limb1_U_0_sin * minus_limb1_U2_factor_0_by_3
         t42 = 1.0 / platform_joint_force_mz_by_limb1_U2_mn
         limb1_U2_part_mn_by_limb1_P = minus_platform_joint_force_mz_by_limb1_P * t42
-        minus_limb5_S_balance_wy_by_limb1_P = minus_platform_joint_force_my_by_limb1_P + t39 * limb1_U2_part_mn_by_limb1_P
+        minus_limb5_S_balance_wy_by_limb1_P = (
+            minus_platform_joint_force_my_by_limb1_P + t39 * limb1_U2_part_mn_by_limb1_P
+        )
         limb4_U_0_sin = np.cos(limb4_U_q_0)
-        t44 = 2.6179938779914944 - limb4_U_q_1  # limb4
+        t44 = limb_lower_phase_2 - limb4_U_q_1  # limb4
         limb4_lower_cos = np.cos(t44)
-        limb4_S_arm_y = 0.8 * limb4_lower_cos
+        limb4_S_arm_y = param_R * limb4_lower_cos
         platform_joint_force_mx_by_limb4_P = limb4_U_0_sin * limb4_S_arm_y
         platform_joint_force_mx_by_limb1_U2_mn = limb1_lower_sin * t21 - limb1_lower_cos * t24
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
         limb1_U2_part_mn_by_limb4_P = minus_limb4_U_0_cos * limb4_S_arm_y * t42
-        limb5_S_balance_wx_by_limb4_P = platform_joint_force_mx_by_limb4_P + platform_joint_force_mx_by_limb1_U2_mn * limb1_U2_part_mn_by_limb4_P
+        limb5_S_balance_wx_by_limb4_P = (
+            platform_joint_force_mx_by_limb4_P + platform_joint_force_mx_by_limb1_U2_mn *
+            limb1_U2_part_mn_by_limb4_P
+        )
         minus_limb5_S_balance_wy_by_limb4_P = limb1_U2_part_mn_by_limb4_P * t39
         t48 = limb5_S_balance_wx_by_limb4_P * minus_limb5_S_balance_wy_by_limb4_P
         limb3_U_0_cos = np.cos(limb3_U_q_0)
-        t49 = 0.5235987755982989 - limb3_U_q_1  # limb3
+        t49 = limb_lower_phase - limb3_U_q_1  # limb3
         limb3_lower_cos = np.cos(t49)
-        limb3_S_arm_y = 0.8 * limb3_lower_cos
+        limb3_S_arm_y = param_R * limb3_lower_cos
         platform_joint_force_my_by_limb3_P = limb3_U_0_cos * limb3_S_arm_y
         limb3_U_0_sin = np.sin(limb3_U_q_0)
         minus_limb1_U2_part_mn_by_limb3_P = limb3_U_0_sin * limb3_S_arm_y * t42
         limb5_S_balance_wy_by_limb3_P = platform_joint_force_my_by_limb3_P + t39 * minus_limb1_U2_part_mn_by_limb3_P
-        minus_limb5_S_balance_wx_by_limb3_P = platform_joint_force_mx_by_limb1_U2_mn * minus_limb1_U2_part_mn_by_limb3_P
+        minus_limb5_S_balance_wx_by_limb3_P = (
+            platform_joint_force_mx_by_limb1_U2_mn * minus_limb1_U2_part_mn_by_limb3_P
+        )
         t51 = limb5_S_balance_wy_by_limb3_P * minus_limb5_S_balance_wx_by_limb3_P
         limb2_U_0_sin = np.cos(limb2_U_q_0)
-        t52 = 2.6179938779914944 + limb2_U_q_1  # limb2
+        t52 = limb_lower_phase_2 + limb2_U_q_1  # limb2
         limb2_lower_cos = np.cos(t52)
-        minus_limb2_S_arm_y = 0.8 * limb2_lower_cos
+        minus_limb2_S_arm_y = param_R * limb2_lower_cos
         minus_platform_joint_force_mx_by_limb2_P = limb2_U_0_sin * minus_limb2_S_arm_y
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
         minus_limb1_U2_part_mn_by_limb2_P = minus_limb2_U_0_cos * minus_limb2_S_arm_y * t42
-        minus_limb5_S_balance_wx_by_limb2_P = minus_platform_joint_force_mx_by_limb2_P + platform_joint_force_mx_by_limb1_U2_mn * minus_limb1_U2_part_mn_by_limb2_P
+        minus_limb5_S_balance_wx_by_limb2_P = (
+            minus_platform_joint_force_mx_by_limb2_P + platform_joint_force_mx_by_limb1_U2_mn *
+            minus_limb1_U2_part_mn_by_limb2_P
+        )
         limb5_S_balance_wy_by_limb2_P = t39 * minus_limb1_U2_part_mn_by_limb2_P
         t54 = minus_limb5_S_balance_wx_by_limb2_P * limb5_S_balance_wy_by_limb2_P
         limb5_S_balance_wx_by_limb1_P = platform_joint_force_mx_by_limb1_U2_mn * limb1_U2_part_mn_by_limb1_P
-        minus_drives_share_0_1 = t48 + (t51 + (t54 + minus_limb5_S_balance_wy_by_limb1_P * limb5_S_balance_wx_by_limb1_P))
+        minus_drives_share_0_1 = (
+            t48 + (t51 + (t54 + minus_limb5_S_balance_wy_by_limb1_P * limb5_S_balance_wx_by_limb1_P))
+        )
         # limb4: geometry; balance, eqs. (40)-(47); accelerations
-        limb4_upper_offset_x = 0.3 + limb4_P_q
+        limb4_upper_offset_x = limb_upper_phase + limb4_P_q
         minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x
         t58 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz
         minus_limb4_lower_sin = np.sin(t44)
         limb4_lower_omega_y = limb4_U_v_0 * limb4_lower_cos
-        t59 = minus_limb4_lower_sin * (0.0712 * (limb4_U_v_1 * limb4_lower_omega_y))
+        t59 = minus_limb4_lower_sin * (k10 * (limb4_U_v_1 * limb4_lower_omega_y))
         t61 = limb4_P_v * (2.0 * limb4_lower_omega_y)
         minus_limb4_lower_omega_x = limb4_U_v_0 * minus_limb4_lower_sin
         limb4_lower_alpha_still_y = limb4_U_v_1 * minus_limb4_lower_omega_x
         limb4_lower_alpha_y = limb4_lower_alpha_still_y + limb4_U_a_0 * limb4_lower_cos
         minus_limb4_lower_U_zx = limb4_lower_alpha_still_y + limb4_lower_alpha_y
-        minus_limb4_upper_acc_z = t61 + (limb4_upper_offset_x * minus_limb4_lower_U_zx + 9.81 * minus_limb4_U_0_cos)
-        minus_limb4_upper_rate_my = 0.213 * minus_limb4_upper_acc_z
-        # limb4: balance, eqs. (40)-(47); momentum rate, eq. (35); reciprocal wrenches, eq. (10)
-        t65 = minus_limb4_upper_rate_my - limb4_upper_offset_x * (1.42 * minus_limb4_upper_acc_z - 0.213 * minus_limb4_lower_U_zx)
-        minus_limb4_upper_moment_y = 2.08953 * minus_limb4_U_0_cos
-        limb4_lower_rate_my = minus_limb4_upper_moment_y + (2.3439 * limb4_lower_alpha_still_y + 2.2727 * limb4_lower_alpha_y)
-        limb4_S_multiplier_fz = t58 * (t59 + limb4_lower_cos * (t65 - limb4_lower_rate_my) - 0.1112 * limb4_U_a_0)
+        minus_limb4_upper_acc_z = (
+            t61 + (limb4_upper_offset_x * minus_limb4_lower_U_zx + gravity_z * minus_limb4_U_0_cos)
+        )
+        minus_limb4_upper_rate_my = limb_lower_mx * minus_limb4_upper_acc_z
+        # limb4: balance, eqs. (40)-(47); reciprocal wrenches, eq. (10)
+        t64 = (
+            limb4_upper_offset_x * (limb_lower_m * minus_limb4_upper_acc_z - limb_lower_mx * minus_limb4_lower_U_zx)
+        )
+        t65 = minus_limb4_upper_rate_my - t64
+        minus_limb4_upper_moment_y = gravity_z_limb_lower_mx * minus_limb4_U_0_cos
+        minus_limb4_lower_moment_y = (
+            t65 - (minus_limb4_upper_moment_y + (k9 * limb4_lower_alpha_still_y + k8 * limb4_lower_alpha_y))
+        )
+        limb4_S_multiplier_fz = t58 * (t59 + limb4_lower_cos * minus_limb4_lower_moment_y - k3 * limb4_U_a_0)
         t70 = limb4_S_arm_y * limb4_S_multiplier_fz
         t71 = limb4_lower_cos * t70
-        limb4_S_arm_x = limb4_upper_offset_x - 0.8 * minus_limb4_lower_sin
+        limb4_S_arm_x = limb4_upper_offset_x - param_R * minus_limb4_lower_sin
         t73 = limb4_S_arm_x * limb4_S_multiplier_fz
         t75 = t71 - minus_limb4_lower_sin * t73
         t76 = limb4_U_0_sin * t75
         # limb4: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
         minus_limb4_lower_U_still_xx = limb4_lower_omega_y * limb4_lower_omega_y + limb4_U_v_1 * limb4_U_v_1
-        minus_limb4_lower_rate_fx = 0.213 * minus_limb4_lower_U_still_xx
+        minus_limb4_lower_rate_fx = limb_lower_mx * minus_limb4_lower_U_still_xx
         minus_limb4_upper_acc_still_x = limb4_upper_offset_x * minus_limb4_lower_U_still_xx
-        minus_limb4_U_0_acc_y = 9.81 * limb4_U_0_sin
-        limb4_lower_force_x = 1.42 * (limb4_P_a - (minus_limb4_upper_acc_still_x + limb4_lower_cos * minus_limb4_U_0_acc_y))
+        minus_limb4_U_0_acc_y = gravity_z * limb4_U_0_sin
+        limb4_lower_force_x = (
+            limb_lower_m * (limb4_P_a - (minus_limb4_upper_acc_still_x + limb4_lower_cos * minus_limb4_U_0_acc_y))
+        )
         t79 = limb4_S_arm_y * (minus_limb4_lower_rate_fx + limb4_lower_force_x)
         t81 = limb4_P_v * (2.0 * limb4_U_v_1)
         minus_limb4_lower_U_still_xy = minus_limb4_lower_omega_x * limb4_lower_omega_y
@@ -5551,83 +6036,110 @@ def inverse_dynamics(*arguments):
         t82 = limb4_upper_offset_x * limb4_lower_U_yx
         minus_limb4_lower_acc_y = minus_limb4_lower_sin * minus_limb4_U_0_acc_y
         limb4_upper_acc_y = t81 + (t82 - minus_limb4_lower_acc_y)
-        minus_limb4_upper_rate_mz = 0.213 * limb4_upper_acc_y
-        t85 = minus_limb4_upper_rate_mz - limb4_upper_offset_x * (1.42 * limb4_upper_acc_y - 0.213 * limb4_lower_U_yx)
-        minus_limb4_lower_rate_mz = 0.213 * minus_limb4_lower_acc_y + (2.2727 * minus_limb4_lower_U_still_xy - 2.3439 * limb4_U_a_1)
+        minus_limb4_upper_rate_mz = limb_lower_mx * limb4_upper_acc_y
+        t85 = (
+            minus_limb4_upper_rate_mz - limb4_upper_offset_x * (limb_lower_m * limb4_upper_acc_y - limb_lower_mx *
+            limb4_lower_U_yx)
+        )
+        minus_limb4_lower_rate_mz = (
+            limb_lower_mx * minus_limb4_lower_acc_y + (k8 * minus_limb4_lower_U_still_xy - k9 * limb4_U_a_1)
+        )
         t91 = t79 + limb4_S_arm_x * ((t85 + minus_limb4_lower_rate_mz) * (limb4_lower_cos * t58))
         t93 = t76 - minus_limb4_U_0_cos * t91
         # limb3: geometry; balance, eqs. (40)-(47); accelerations
-        limb3_upper_offset_x = 0.3 + limb3_P_q
+        limb3_upper_offset_x = limb_upper_phase + limb3_P_q
         minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x
         t94 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
         minus_limb3_lower_sin = np.sin(t49)
         limb3_lower_omega_y = limb3_U_v_0 * limb3_lower_cos
-        t95 = minus_limb3_lower_sin * (0.0712 * (limb3_U_v_1 * limb3_lower_omega_y))
+        t95 = minus_limb3_lower_sin * (k10 * (limb3_U_v_1 * limb3_lower_omega_y))
         t97 = limb3_P_v * (2.0 * limb3_lower_omega_y)
         minus_limb3_lower_omega_x = limb3_U_v_0 * minus_limb3_lower_sin
         limb3_lower_alpha_still_y = limb3_U_v_1 * minus_limb3_lower_omega_x
         limb3_lower_alpha_y = limb3_lower_alpha_still_y + limb3_U_a_0 * limb3_lower_cos
         minus_limb3_lower_U_zx = limb3_lower_alpha_still_y + limb3_lower_alpha_y
-        minus_limb3_upper_acc_z = t97 + (limb3_upper_offset_x * minus_limb3_lower_U_zx - 9.81 * limb3_U_0_sin)
-        minus_limb3_upper_rate_my = 0.213 * minus_limb3_upper_acc_z
-        t101 = minus_limb3_upper_rate_my - limb3_upper_offset_x * (1.42 * minus_limb3_upper_acc_z - 0.213 * minus_limb3_lower_U_zx)
-        minus_limb3_lower_rate_my = 2.08953 * limb3_U_0_sin - (2.3439 * limb3_lower_alpha_still_y + 2.2727 * limb3_lower_alpha_y)
-        limb3_S_multiplier_fz = t94 * (t95 + limb3_lower_cos * (t101 + minus_limb3_lower_rate_my) - 0.1112 * limb3_U_a_0)
+        minus_limb3_upper_acc_z = t97 + (limb3_upper_offset_x * minus_limb3_lower_U_zx - gravity_z * limb3_U_0_sin)
+        minus_limb3_upper_rate_my = limb_lower_mx * minus_limb3_upper_acc_z
+        # limb3: balance, eqs. (40)-(47); reciprocal wrenches, eq. (10)
+        t100 = (
+            limb3_upper_offset_x * (limb_lower_m * minus_limb3_upper_acc_z - limb_lower_mx * minus_limb3_lower_U_zx)
+        )
+        t101 = minus_limb3_upper_rate_my - t100
+        limb3_upper_moment_y = gravity_z_limb_lower_mx * limb3_U_0_sin
+        t105 = (
+            limb3_lower_cos * (t101 + (limb3_upper_moment_y - (k9 * limb3_lower_alpha_still_y + k8 *
+            limb3_lower_alpha_y)))
+        )
+        limb3_S_multiplier_fz = t94 * (t95 + t105 - k3 * limb3_U_a_0)
         t106 = limb3_S_arm_y * limb3_S_multiplier_fz
         t107 = limb3_lower_cos * t106
-        limb3_S_arm_x = limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin
+        limb3_S_arm_x = limb3_upper_offset_x - param_R * minus_limb3_lower_sin
         t109 = limb3_S_arm_x * limb3_S_multiplier_fz
         t111 = t107 - minus_limb3_lower_sin * t109
         t112 = limb3_U_0_cos * t111
         # limb3: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
         minus_limb3_lower_U_still_xx = limb3_lower_omega_y * limb3_lower_omega_y + limb3_U_v_1 * limb3_U_v_1
-        minus_limb3_lower_rate_fx = 0.213 * minus_limb3_lower_U_still_xx
+        minus_limb3_lower_rate_fx = limb_lower_mx * minus_limb3_lower_U_still_xx
         minus_limb3_upper_acc_still_x = limb3_upper_offset_x * minus_limb3_lower_U_still_xx
-        limb3_U_0_acc_y = 9.81 * limb3_U_0_cos
-        limb3_upper_rate_fx = minus_limb3_lower_rate_fx + 1.42 * (limb3_P_a - (minus_limb3_upper_acc_still_x - limb3_lower_cos * limb3_U_0_acc_y))
-        t115 = limb3_S_arm_y * limb3_upper_rate_fx
+        limb3_U_0_acc_y = gravity_z * limb3_U_0_cos
+        limb3_lower_force_x = (
+            limb_lower_m * (limb3_P_a - (minus_limb3_upper_acc_still_x - limb3_lower_cos * limb3_U_0_acc_y))
+        )
+        t115 = limb3_S_arm_y * (minus_limb3_lower_rate_fx + limb3_lower_force_x)
         t117 = limb3_P_v * (2.0 * limb3_U_v_1)
         minus_limb3_lower_U_still_xy = minus_limb3_lower_omega_x * limb3_lower_omega_y
         limb3_lower_U_yx = limb3_U_a_1 - minus_limb3_lower_U_still_xy
         t118 = limb3_upper_offset_x * limb3_lower_U_yx
         limb3_lower_acc_y = minus_limb3_lower_sin * limb3_U_0_acc_y
         limb3_upper_acc_y = t117 + (t118 + limb3_lower_acc_y)
-        minus_limb3_upper_rate_mz = 0.213 * limb3_upper_acc_y
-        t121 = minus_limb3_upper_rate_mz - limb3_upper_offset_x * (1.42 * limb3_upper_acc_y - 0.213 * limb3_lower_U_yx)
-        minus_limb3_lower_moment_z = t121 - (0.213 * limb3_lower_acc_y - (2.2727 * minus_limb3_lower_U_still_xy - 2.3439 * limb3_U_a_1))
+        minus_limb3_upper_rate_mz = limb_lower_mx * limb3_upper_acc_y
+        t121 = (
+            minus_limb3_upper_rate_mz - limb3_upper_offset_x * (limb_lower_m * limb3_upper_acc_y - limb_lower_mx *
+            limb3_lower_U_yx)
+        )
+        minus_limb3_lower_moment_z = (
+            t121 - (limb_lower_mx * limb3_lower_acc_y - (k8 * minus_limb3_lower_U_still_xy - k9 * limb3_U_a_1))
+        )
         t127 = t115 + limb3_S_arm_x * (minus_limb3_lower_moment_z * (limb3_lower_cos * t94))
         t129 = t112 - limb3_U_0_sin * t127
         # limb2: geometry; balance, eqs. (40)-(47); accelerations
-        limb2_upper_offset_x = 0.3 + limb2_P_q
+        limb2_upper_offset_x = limb_upper_phase + limb2_P_q
         minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x
         t130 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
         limb2_lower_sin = np.sin(t52)
         limb2_lower_omega_y = limb2_U_v_0 * limb2_lower_cos
-        t131 = limb2_lower_sin * (0.0712 * (limb2_U_v_1 * limb2_lower_omega_y))
+        t131 = limb2_lower_sin * (k10 * (limb2_U_v_1 * limb2_lower_omega_y))
         t133 = limb2_P_v * (2.0 * limb2_lower_omega_y)
         limb2_lower_omega_x = limb2_U_v_0 * limb2_lower_sin
         minus_limb2_lower_alpha_still_y = limb2_U_v_1 * limb2_lower_omega_x
         minus_limb2_lower_alpha_y = minus_limb2_lower_alpha_still_y - limb2_U_a_0 * limb2_lower_cos
         limb2_lower_U_zx = minus_limb2_lower_alpha_still_y + minus_limb2_lower_alpha_y
-        minus_limb2_upper_acc_z = t133 - (limb2_upper_offset_x * limb2_lower_U_zx - 9.81 * minus_limb2_U_0_cos)
-        minus_limb2_upper_rate_my = 0.213 * minus_limb2_upper_acc_z
+        minus_limb2_upper_acc_z = t133 - (limb2_upper_offset_x * limb2_lower_U_zx - gravity_z * minus_limb2_U_0_cos)
+        minus_limb2_upper_rate_my = limb_lower_mx * minus_limb2_upper_acc_z
         # limb2: balance, eqs. (40)-(47); momentum rate, eq. (35); reciprocal wrenches, eq. (10)
-        t137 = minus_limb2_upper_rate_my - limb2_upper_offset_x * (1.42 * minus_limb2_upper_acc_z + 0.213 * limb2_lower_U_zx)
-        minus_limb2_upper_moment_y = 2.08953 * minus_limb2_U_0_cos
-        limb2_lower_rate_my = minus_limb2_upper_moment_y - (2.3439 * minus_limb2_lower_alpha_still_y + 2.2727 * minus_limb2_lower_alpha_y)
-        minus_limb2_S_multiplier_fz = t130 * (t131 - limb2_lower_cos * (t137 - limb2_lower_rate_my) + 0.1112 * limb2_U_a_0)
+        t136 = limb2_upper_offset_x * (limb_lower_m * minus_limb2_upper_acc_z + limb_lower_mx * limb2_lower_U_zx)
+        t137 = minus_limb2_upper_rate_my - t136
+        minus_limb2_upper_moment_y = gravity_z_limb_lower_mx * minus_limb2_U_0_cos
+        limb2_lower_rate_my = (
+            minus_limb2_upper_moment_y - (k9 * minus_limb2_lower_alpha_still_y + k8 * minus_limb2_lower_alpha_y)
+        )
+        minus_limb2_S_multiplier_fz = (
+            t130 * (t131 - limb2_lower_cos * (t137 - limb2_lower_rate_my) + k3 * limb2_U_a_0)
+        )
         t142 = minus_limb2_S_arm_y * minus_limb2_S_multiplier_fz
         t143 = limb2_lower_cos * t142
-        limb2_S_arm_x = limb2_upper_offset_x - 0.8 * limb2_lower_sin
+        limb2_S_arm_x = limb2_upper_offset_x - param_R * limb2_lower_sin
         t145 = limb2_S_arm_x * minus_limb2_S_multiplier_fz
         t147 = t143 - limb2_lower_sin * t145
         t148 = limb2_U_0_sin * t147
         # limb2: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
         minus_limb2_lower_U_still_xx = limb2_lower_omega_y * limb2_lower_omega_y + limb2_U_v_1 * limb2_U_v_1
-        minus_limb2_lower_rate_fx = 0.213 * minus_limb2_lower_U_still_xx
+        minus_limb2_lower_rate_fx = limb_lower_mx * minus_limb2_lower_U_still_xx
         minus_limb2_upper_acc_still_x = limb2_upper_offset_x * minus_limb2_lower_U_still_xx
-        minus_limb2_U_0_acc_y = 9.81 * limb2_U_0_sin
-        limb2_lower_force_x = 1.42 * (limb2_P_a - (minus_limb2_upper_acc_still_x + limb2_lower_cos * minus_limb2_U_0_acc_y))
+        minus_limb2_U_0_acc_y = gravity_z * limb2_U_0_sin
+        limb2_lower_force_x = (
+            limb_lower_m * (limb2_P_a - (minus_limb2_upper_acc_still_x + limb2_lower_cos * minus_limb2_U_0_acc_y))
+        )
         t151 = minus_limb2_S_arm_y * (minus_limb2_lower_rate_fx + limb2_lower_force_x)
         t153 = limb2_P_v * (2.0 * limb2_U_v_1)
         limb2_lower_U_still_xy = limb2_lower_omega_x * limb2_lower_omega_y
@@ -5635,39 +6147,51 @@ def inverse_dynamics(*arguments):
         t154 = limb2_upper_offset_x * limb2_lower_U_yx
         limb2_lower_acc_y = limb2_lower_sin * minus_limb2_U_0_acc_y
         limb2_upper_acc_y = t153 + (t154 + limb2_lower_acc_y)
-        minus_limb2_upper_rate_mz = 0.213 * limb2_upper_acc_y
-        t157 = minus_limb2_upper_rate_mz - limb2_upper_offset_x * (1.42 * limb2_upper_acc_y - 0.213 * limb2_lower_U_yx)
-        minus_limb2_lower_moment_z = t157 - (0.213 * limb2_lower_acc_y + (2.2727 * limb2_lower_U_still_xy + 2.3439 * limb2_U_a_1))
+        minus_limb2_upper_rate_mz = limb_lower_mx * limb2_upper_acc_y
+        t157 = (
+            minus_limb2_upper_rate_mz - limb2_upper_offset_x * (limb_lower_m * limb2_upper_acc_y - limb_lower_mx *
+            limb2_lower_U_yx)
+        )
+        minus_limb2_lower_moment_z = (
+            t157 - (limb_lower_mx * limb2_lower_acc_y + (k8 * limb2_lower_U_still_xy + k9 * limb2_U_a_1))
+        )
         t163 = t151 - limb2_S_arm_x * (minus_limb2_lower_moment_z * (limb2_lower_cos * t130))
         t165 = t148 + minus_limb2_U_0_cos * t163
         # platform: geometry; balance, eqs. (40)-(47); momentum rate, eq. (35)
         t166 = limb5_S_q_qx * t14
         t167 = limb5_S_q_qw * t32
         platform_turn_zx = t166 - t167
-        minus_platform_moment_x = 14.62961126155784 * platform_turn_zy
-        minus_platform_rate_mx = minus_platform_moment_x - (22.6251 * (limb5_S_v_wy * limb5_S_v_wz) + 69.4749 * limb5_S_a_wx)
+        minus_platform_moment_x = gravity_z_platform_mz * platform_turn_zy
+        minus_platform_rate_mx = (
+            minus_platform_moment_x - (k12 * (limb5_S_v_wy * limb5_S_v_wz) + k13 * limb5_S_a_wx)
+        )
         t171 = platform_turn_zx * minus_platform_rate_mx
-        platform_moment_y = 14.62961126155784 * platform_turn_zx
-        platform_rate_my = platform_moment_y - (22.6251 * (limb5_S_v_wx * limb5_S_v_wz) - 69.4749 * limb5_S_a_wy)
+        platform_moment_y = gravity_z_platform_mz * platform_turn_zx
+        platform_rate_my = platform_moment_y - (k12 * (limb5_S_v_wx * limb5_S_v_wz) - k13 * limb5_S_a_wy)
         t176 = t171 - platform_turn_zy * platform_rate_my
         platform_turn_zz = 1.0 - t10 * (t3 + t5)
-        platform_rate_mz = 92.1 * limb5_S_a_wz
+        platform_rate_mz = platform_Izz * limb5_S_a_wz
         t180 = t176 - platform_turn_zz * platform_rate_mz
         # limb1: velocities, eq. (6); balance, eqs. (40)-(47); accelerations
         limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos
-        t181 = limb1_lower_sin * (0.0712 * (limb1_U_v_1 * limb1_lower_omega_y))
+        t181 = limb1_lower_sin * (k10 * (limb1_U_v_1 * limb1_lower_omega_y))
         t183 = limb1_P_v * (2.0 * limb1_lower_omega_y)
         limb1_lower_omega_x = limb1_U_v_0 * limb1_lower_sin
         minus_limb1_lower_alpha_still_y = limb1_U_v_1 * limb1_lower_omega_x
         minus_limb1_lower_alpha_y = minus_limb1_lower_alpha_still_y - limb1_U_a_0 * limb1_lower_cos
         limb1_lower_U_zx = minus_limb1_lower_alpha_still_y + minus_limb1_lower_alpha_y
-        minus_limb1_upper_acc_z = t183 - (limb1_upper_offset_x * limb1_lower_U_zx + 9.81 * limb1_U_0_sin)
-        minus_limb1_upper_rate_my = 0.213 * minus_limb1_upper_acc_z
+        minus_limb1_upper_acc_z = t183 - (limb1_upper_offset_x * limb1_lower_U_zx + gravity_z * limb1_U_0_sin)
+        minus_limb1_upper_rate_my = limb_lower_mx * minus_limb1_upper_acc_z
         # limb1: balance, eqs. (40)-(47); momentum rate, eq. (35)
-        t187 = minus_limb1_upper_rate_my - limb1_upper_offset_x * (1.42 * minus_limb1_upper_acc_z + 0.213 * limb1_lower_U_zx)
-        limb1_upper_moment_y = 2.08953 * limb1_U_0_sin
-        minus_limb1_lower_rate_my = limb1_upper_moment_y + (2.3439 * minus_limb1_lower_alpha_still_y + 2.2727 * minus_limb1_lower_alpha_y)
-        minus_limb1_U2_part_fz = t19 * (t181 - limb1_lower_cos * (t187 + minus_limb1_lower_rate_my) + 0.1112 * limb1_U_a_0)
+        t186 = limb1_upper_offset_x * (limb_lower_m * minus_limb1_upper_acc_z + limb_lower_mx * limb1_lower_U_zx)
+        t187 = minus_limb1_upper_rate_my - t186
+        limb1_upper_moment_y = gravity_z_limb_lower_mx * limb1_U_0_sin
+        minus_limb1_lower_rate_my = (
+            limb1_upper_moment_y + (k9 * minus_limb1_lower_alpha_still_y + k8 * minus_limb1_lower_alpha_y)
+        )
+        minus_limb1_U2_part_fz = (
+            t19 * (t181 - limb1_lower_cos * (t187 + minus_limb1_lower_rate_my) + k3 * limb1_U_a_0)
+        )
         t192 = minus_limb1_U2_arm_y * minus_limb1_U2_part_fz
         t193 = limb1_lower_cos * t192
         t194 = limb1_U2_arm_x * minus_limb1_U2_part_fz
@@ -5675,20 +6199,27 @@ def inverse_dynamics(*arguments):
         t197 = limb1_U_0_cos * t196
         # limb1: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
         minus_limb1_lower_U_still_xx = limb1_lower_omega_y * limb1_lower_omega_y + limb1_U_v_1 * limb1_U_v_1
-        minus_limb1_lower_rate_fx = 0.213 * minus_limb1_lower_U_still_xx
+        minus_limb1_lower_rate_fx = limb_lower_mx * minus_limb1_lower_U_still_xx
         minus_limb1_upper_acc_still_x = limb1_upper_offset_x * minus_limb1_lower_U_still_xx
-        limb1_U_0_acc_y = 9.81 * limb1_U_0_cos
-        limb1_upper_rate_fx = minus_limb1_lower_rate_fx + 1.42 * (limb1_P_a - (minus_limb1_upper_acc_still_x - limb1_lower_cos * limb1_U_0_acc_y))
-        t200 = minus_limb1_U2_arm_y * limb1_upper_rate_fx
+        limb1_U_0_acc_y = gravity_z * limb1_U_0_cos
+        limb1_lower_force_x = (
+            limb_lower_m * (limb1_P_a - (minus_limb1_upper_acc_still_x - limb1_lower_cos * limb1_U_0_acc_y))
+        )
+        t200 = minus_limb1_U2_arm_y * (minus_limb1_lower_rate_fx + limb1_lower_force_x)
         t202 = limb1_P_v * (2.0 * limb1_U_v_1)
         limb1_lower_U_still_xy = limb1_lower_omega_x * limb1_lower_omega_y
         limb1_lower_U_yx = limb1_U_a_1 + limb1_lower_U_still_xy
         t203 = limb1_upper_offset_x * limb1_lower_U_yx
         minus_limb1_lower_acc_y = limb1_lower_sin * limb1_U_0_acc_y
         limb1_upper_acc_y = t202 + (t203 - minus_limb1_lower_acc_y)
-        minus_limb1_upper_rate_mz = 0.213 * limb1_upper_acc_y
-        t206 = minus_limb1_upper_rate_mz - limb1_upper_offset_x * (1.42 * limb1_upper_acc_y - 0.213 * limb1_lower_U_yx)
-        minus_limb1_lower_moment_z = t206 + (0.213 * minus_limb1_lower_acc_y - (2.2727 * limb1_lower_U_still_xy + 2.3439 * limb1_U_a_1))
+        minus_limb1_upper_rate_mz = limb_lower_mx * limb1_upper_acc_y
+        t206 = (
+            minus_limb1_upper_rate_mz - limb1_upper_offset_x * (limb_lower_m * limb1_upper_acc_y - limb_lower_mx *
+            limb1_lower_U_yx)
+        )
+        minus_limb1_lower_moment_z = (
+            t206 + (limb_lower_mx * minus_limb1_lower_acc_y - (k8 * limb1_lower_U_still_xy + k9 * limb1_U_a_1))
+        )
         t211 = t200 - limb1_U2_arm_x * (minus_limb1_lower_moment_z * t36)
         # platform: balance, eqs. (40)-(47); drives
         minus_platform_joint_force_mz = t93 - (t129 - (t165 + (t180 - (t197 + limb1_U_0_sin * t211))))
@@ -5720,7 +6251,9 @@ def inverse_dynamics(*arguments):
         t270 = minus_limb5_S_balance_wy_by_limb4_P * minus_limb5_S_balance_wy_by_limb4_P
         t271 = limb5_S_balance_wy_by_limb3_P * limb5_S_balance_wy_by_limb3_P
         t272 = limb5_S_balance_wy_by_limb2_P * limb5_S_balance_wy_by_limb2_P
-        drives_share_1_1 = t270 + (t271 + (t272 + minus_limb5_S_balance_wy_by_limb1_P * minus_limb5_S_balance_wy_by_limb1_P))
+        drives_share_1_1 = (
+            t270 + (t271 + (t272 + minus_limb5_S_balance_wy_by_limb1_P * minus_limb5_S_balance_wy_by_limb1_P))
+        )
         minus_determinant = t269 - drives_share_1_1 * drives_share_0_0
         t277 = 1.0 / minus_determinant
         t278 = t268 * t277
@@ -5732,13 +6265,22 @@ def inverse_dynamics(*arguments):
         limb3_P_drive = limb5_S_balance_wy_by_limb3_P * t278 + minus_limb5_S_balance_wx_by_limb3_P * t283
         minus_limb4_P_drive = minus_limb5_S_balance_wy_by_limb4_P * t278 + limb5_S_balance_wx_by_limb4_P * t283
         limb4_P_drive = -minus_limb4_P_drive
+        guards = (  # status 1 where a pivot is smaller than its limit:
+            (minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.3211e-10),  # where the reciprocal wrench limb2_S.fz has no
+            # power along limb2_U.0, as in a stretched limb
+            (minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.4044e-10),  # where the reciprocal wrench limb3_S.fz has no
+            # power along limb3_U.0, as in a stretched limb
+            (minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.284e-10),  # where the reciprocal wrench limb4_S.fz has no
+            # power along limb4_U.0, as in a stretched limb
+            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.233100000000001e-10),  # where the reciprocal wrench
+            # limb1_U2.fz has no power along limb1_U.0, as in a stretched limb
+            (platform_joint_force_mz_by_limb1_U2_mn, 4.0171000000000005e-10),  # where limb1_U2.mn cannot balance
+            # platform.moment_z
+            (minus_determinant, 2.393867125597279e-10),  # where equations that are solved at once lose rank, as
+            # drives do at a singularity
+        )
         return _finish(batch, ((limb1_P_drive, limb2_P_drive, limb3_P_drive, limb4_P_drive),),
-            ((minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.3211e-10),
-            (minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.4044e-10),
-            (minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.284e-10),
-            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.233100000000001e-10),
-            (platform_joint_force_mz_by_limb1_U2_mn, 4.0171000000000005e-10), (minus_determinant,
-            2.393867125597279e-10)), (minus_limb1_U_0_lever_mz_by_limb1_U2_fz,
+            guards, (minus_limb1_U_0_lever_mz_by_limb1_U2_fz,
             platform_joint_force_mz_by_limb1_U2_mn, minus_limb4_U_0_lever_mz_by_limb4_S_fz,
             minus_limb3_U_0_lever_mz_by_limb3_S_fz, minus_limb2_U_0_lever_mz_by_limb2_S_fz,
             minus_determinant, minus_limb1_P_drive, limb2_P_drive, limb3_P_drive,
@@ -5771,7 +6313,8 @@ def inverse_dynamics_independent(*arguments):
     Note: 2 more drives than freedoms: the drives of smallest sum of squares; inverse_dynamics_preload
       takes weights and an internal preload
     """
-    entries, batch = _entries("inverse_dynamics_independent", {"q": 16, "y_dot": 2, "y_ddot": 2}, arguments)
+    entries, batch = _entries("inverse_dynamics_independent", {"q": 16, "y_dot": 2, "y_ddot": 2},
+        arguments)
     (
         limb1_U_q_0, limb1_U_q_1, limb1_P_q, limb2_U_q_0, limb2_U_q_1, limb2_P_q, limb3_U_q_0,
         limb3_U_q_1, limb3_P_q, limb4_U_q_0, limb4_U_q_1, limb4_P_q, limb5_S_q_qw, limb5_S_q_qx,
@@ -5781,9 +6324,9 @@ def inverse_dynamics_independent(*arguments):
     with np.errstate(all="ignore"):
         # limb1: geometry; reciprocal wrenches, eq. (10)
         limb1_U_0_cos = np.cos(limb1_U_q_0)
-        t1 = 0.5235987755982989 + limb1_U_q_1
+        t1 = limb_lower_phase + limb1_U_q_1
         limb1_lower_cos = np.cos(t1)
-        minus_limb1_U2_arm_y = 0.8 * limb1_lower_cos
+        minus_limb1_U2_arm_y = param_R * limb1_lower_cos
         # platform: balance, eqs. (40)-(47)
         minus_platform_joint_force_my_by_limb1_P = limb1_U_0_cos * minus_limb1_U2_arm_y
         limb1_U_0_sin = np.sin(limb1_U_q_0)
@@ -5806,13 +6349,13 @@ def inverse_dynamics_independent(*arguments):
         limb1_U2_constraint_mn_couple_x = t13 + limb1_U_0_sin * platform_turn_zy
         limb1_lower_sin = np.sin(t1)
         limb1_U_0_lever_mz_by_limb1_U2_mn = limb1_lower_sin * limb1_U2_constraint_mn_couple_x
-        limb1_upper_offset_x = 0.3 + limb1_P_q
+        limb1_upper_offset_x = limb_upper_phase + limb1_P_q
         minus_limb1_U_0_lever_mz_by_limb1_U2_fz = limb1_lower_cos * limb1_upper_offset_x
         t19 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz
         minus_limb1_U_factor_0_by_3 = limb1_U_0_lever_mz_by_limb1_U2_mn * t19
         t21 = limb1_U2_constraint_mn_couple_x - minus_limb1_U2_arm_y * minus_limb1_U_factor_0_by_3
         t22 = limb1_lower_cos * t21
-        limb1_U2_arm_x = limb1_upper_offset_x - 0.8 * limb1_lower_sin
+        limb1_U2_arm_x = limb1_upper_offset_x - param_R * limb1_lower_sin
         t24 = limb1_U2_arm_x * minus_limb1_U_factor_0_by_3
         t26 = t22 + limb1_lower_sin * t24
         t27 = limb1_U_0_sin * t26
@@ -5834,47 +6377,61 @@ def inverse_dynamics_independent(*arguments):
         platform_joint_force_mz_by_limb1_U2_mn = t40 + t41
         t42 = 1.0 / platform_joint_force_mz_by_limb1_U2_mn  # platform
         limb1_U2_part_mn_by_limb1_P = minus_platform_joint_force_mz_by_limb1_P * t42
-        minus_limb5_S_balance_wy_by_limb1_P = minus_platform_joint_force_my_by_limb1_P + t39 * limb1_U2_part_mn_by_limb1_P
+        minus_limb5_S_balance_wy_by_limb1_P = (
+            minus_platform_joint_force_my_by_limb1_P + t39 * limb1_U2_part_mn_by_limb1_P
+        )
         limb4_U_0_sin = np.cos(limb4_U_q_0)
-        t44 = 2.6179938779914944 - limb4_U_q_1  # limb4
+        t44 = limb_lower_phase_2 - limb4_U_q_1  # limb4
         limb4_lower_cos = np.cos(t44)
-        limb4_S_arm_y = 0.8 * limb4_lower_cos
+        limb4_S_arm_y = param_R * limb4_lower_cos
         platform_joint_force_mx_by_limb4_P = limb4_U_0_sin * limb4_S_arm_y
         platform_joint_force_mx_by_limb1_U2_mn = limb1_lower_sin * t21 - limb1_lower_cos * t24
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
         limb1_U2_part_mn_by_limb4_P = minus_limb4_U_0_cos * limb4_S_arm_y * t42
-        limb5_S_balance_wx_by_limb4_P = platform_joint_force_mx_by_limb4_P + platform_joint_force_mx_by_limb1_U2_mn * limb1_U2_part_mn_by_limb4_P
+        limb5_S_balance_wx_by_limb4_P = (
+            platform_joint_force_mx_by_limb4_P + platform_joint_force_mx_by_limb1_U2_mn *
+            limb1_U2_part_mn_by_limb4_P
+        )
         minus_limb5_S_balance_wy_by_limb4_P = limb1_U2_part_mn_by_limb4_P * t39
         t48 = limb5_S_balance_wx_by_limb4_P * minus_limb5_S_balance_wy_by_limb4_P  # limb5_S
         limb3_U_0_cos = np.cos(limb3_U_q_0)
-        t49 = 0.5235987755982989 - limb3_U_q_1  # limb3
+        t49 = limb_lower_phase - limb3_U_q_1  # limb3
         limb3_lower_cos = np.cos(t49)
-        limb3_S_arm_y = 0.8 * limb3_lower_cos
+        limb3_S_arm_y = param_R * limb3_lower_cos
         platform_joint_force_my_by_limb3_P = limb3_U_0_cos * limb3_S_arm_y
         limb3_U_0_sin = np.sin(limb3_U_q_0)
         minus_limb1_U2_part_mn_by_limb3_P = limb3_U_0_sin * limb3_S_arm_y * t42
         limb5_S_balance_wy_by_limb3_P = platform_joint_force_my_by_limb3_P + t39 * minus_limb1_U2_part_mn_by_limb3_P
-        minus_limb5_S_balance_wx_by_limb3_P = platform_joint_force_mx_by_limb1_U2_mn * minus_limb1_U2_part_mn_by_limb3_P
+        minus_limb5_S_balance_wx_by_limb3_P = (
+            platform_joint_force_mx_by_limb1_U2_mn * minus_limb1_U2_part_mn_by_limb3_P
+        )
         t51 = limb5_S_balance_wy_by_limb3_P * minus_limb5_S_balance_wx_by_limb3_P  # limb5_S
         limb2_U_0_sin = np.cos(limb2_U_q_0)
-        t52 = 2.6179938779914944 + limb2_U_q_1  # limb2
+        t52 = limb_lower_phase_2 + limb2_U_q_1  # limb2
         limb2_lower_cos = np.cos(t52)
-        minus_limb2_S_arm_y = 0.8 * limb2_lower_cos
+        minus_limb2_S_arm_y = param_R * limb2_lower_cos
         # limb5_S: balance, eqs. (40)-(47)
         minus_platform_joint_force_mx_by_limb2_P = limb2_U_0_sin * minus_limb2_S_arm_y
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
         minus_limb1_U2_part_mn_by_limb2_P = minus_limb2_U_0_cos * minus_limb2_S_arm_y * t42
-        minus_limb5_S_balance_wx_by_limb2_P = minus_platform_joint_force_mx_by_limb2_P + platform_joint_force_mx_by_limb1_U2_mn * minus_limb1_U2_part_mn_by_limb2_P
+        minus_limb5_S_balance_wx_by_limb2_P = (
+            minus_platform_joint_force_mx_by_limb2_P + platform_joint_force_mx_by_limb1_U2_mn *
+            minus_limb1_U2_part_mn_by_limb2_P
+        )
         limb5_S_balance_wy_by_limb2_P = t39 * minus_limb1_U2_part_mn_by_limb2_P
         # limb5_S: drives; pivots; velocities, eq. (6)
         t54 = minus_limb5_S_balance_wx_by_limb2_P * limb5_S_balance_wy_by_limb2_P
         limb5_S_balance_wx_by_limb1_P = platform_joint_force_mx_by_limb1_U2_mn * limb1_U2_part_mn_by_limb1_P
-        minus_drives_share_0_1 = t48 + (t51 + (t54 + minus_limb5_S_balance_wy_by_limb1_P * limb5_S_balance_wx_by_limb1_P))
+        minus_drives_share_0_1 = (
+            t48 + (t51 + (t54 + minus_limb5_S_balance_wy_by_limb1_P * limb5_S_balance_wx_by_limb1_P))
+        )
         t58 = minus_drives_share_0_1 * minus_drives_share_0_1
         t59 = minus_limb5_S_balance_wy_by_limb4_P * minus_limb5_S_balance_wy_by_limb4_P
         t60 = limb5_S_balance_wy_by_limb3_P * limb5_S_balance_wy_by_limb3_P
         t61 = limb5_S_balance_wy_by_limb2_P * limb5_S_balance_wy_by_limb2_P
-        drives_share_1_1 = t59 + (t60 + (t61 + minus_limb5_S_balance_wy_by_limb1_P * minus_limb5_S_balance_wy_by_limb1_P))
+        drives_share_1_1 = (
+            t59 + (t60 + (t61 + minus_limb5_S_balance_wy_by_limb1_P * minus_limb5_S_balance_wy_by_limb1_P))
+        )
         t65 = limb5_S_balance_wx_by_limb4_P * limb5_S_balance_wx_by_limb4_P
         t66 = minus_limb5_S_balance_wx_by_limb3_P * minus_limb5_S_balance_wx_by_limb3_P
         t67 = minus_limb5_S_balance_wx_by_limb2_P * minus_limb5_S_balance_wx_by_limb2_P
@@ -5882,17 +6439,19 @@ def inverse_dynamics_independent(*arguments):
         minus_determinant = t58 - drives_share_1_1 * drives_share_0_0
         t72 = 1.0 / minus_determinant
         minus_limb4_lower_sin = np.sin(t44)
-        limb4_upper_offset_x = 0.3 + limb4_P_q
-        limb4_S_arm_x = limb4_upper_offset_x - 0.8 * minus_limb4_lower_sin
+        limb4_upper_offset_x = limb_upper_phase + limb4_P_q
+        limb4_S_arm_x = limb4_upper_offset_x - param_R * minus_limb4_lower_sin
         minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x
         t74 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz  # limb4
-        t76 = 1.5 - 0.5 * t8
+        t76 = k2 - 0.5 * t8
         t77 = limb5_S_q_qz * t76
         t78 = 0.5 * t77
         t79 = limb5_S_q_qy * t76
         limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x
-        minus_limb1_upper_position_x = 0.8 - limb1_lower_sin * limb1_upper_offset_x
-        minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn - minus_limb1_upper_position_x * minus_limb1_U_factor_0_by_3
+        minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x
+        minus_limb1_U2_factor_1_by_3 = (
+            limb1_U_0_lever_my_by_limb1_U2_mn - minus_limb1_upper_position_x * minus_limb1_U_factor_0_by_3
+        )
         minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + t41
         t82 = 1.0 / minus_limb5_S_pivot_wz
         t84 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t38  # limb1
@@ -5925,13 +6484,17 @@ def inverse_dynamics_independent(*arguments):
         platform_omega_z = t112 + (t113 - platform_turn_xz * minus_limb5_S_joint_rate_wx)
         t119 = platform_turn_xz * platform_omega_z
         t120 = platform_turn_zy * limb5_S_joint_rate_wz
-        platform_omega_y = t120 + (platform_turn_yy * limb5_S_joint_rate_wy - platform_turn_xy * minus_limb5_S_joint_rate_wx)
+        platform_omega_y = (
+            t120 + (platform_turn_yy * limb5_S_joint_rate_wy - platform_turn_xy * minus_limb5_S_joint_rate_wx)
+        )
         t124 = platform_turn_xy * platform_omega_y
         platform_turn_xx = 1.0 - t7 * t10
         platform_turn_zx = t108 - t109
         t126 = platform_turn_zx * limb5_S_joint_rate_wz
         platform_turn_yx = t33 + t34
-        platform_omega_x = t126 + (platform_turn_yx * limb5_S_joint_rate_wy - platform_turn_xx * minus_limb5_S_joint_rate_wx)
+        platform_omega_x = (
+            t126 + (platform_turn_yx * limb5_S_joint_rate_wy - platform_turn_xx * minus_limb5_S_joint_rate_wx)
+        )
         # limb5_S: accelerations
         t132 = t119 + (t124 + platform_turn_xx * platform_omega_x)
         t133 = t107 * t132
@@ -5945,13 +6508,16 @@ def inverse_dynamics_independent(*arguments):
         t148 = t144 + (platform_turn_yy * platform_omega_y + platform_turn_yx * platform_omega_x)
         t150 = t143 - limb1_U_0_sin * t148
         t151 = t137 * t150
-        t155 = minus_limb1_upper_position_x * (limb1_U_0_cos * limb5_S_joint_rate_wz - limb1_U_0_sin * limb5_S_joint_rate_wy)  # limb1
+        t155 = (
+            minus_limb1_upper_position_x * (limb1_U_0_cos * limb5_S_joint_rate_wz - limb1_U_0_sin *
+            limb5_S_joint_rate_wy)
+        )  # limb1
         minus_limb1_U_joint_rate_0 = minus_limb5_S_joint_rate_wx - t19 * t155
         t157 = t107 * minus_limb1_U_joint_rate_0  # limb1
         t160 = limb1_U_0_sin * t142 + limb1_U_0_cos * t148
         t165 = t133 - (t151 - (t157 + minus_limb1_upper_position_x * (minus_limb1_U_joint_rate_0 * t160)))
         t166 = minus_limb1_U_factor_0_by_3 * t165
-        t169 = t160 * (limb1_P_joint_rate - 0.8 * t135)
+        t169 = t160 * (limb1_P_joint_rate - param_R * t135)
         # limb1: accelerations
         t170 = limb1_P_joint_rate * limb1_U_joint_rate_1
         t171 = t150 * minus_limb1_U_joint_rate_0  # limb5_S
@@ -5969,7 +6535,9 @@ def inverse_dynamics_independent(*arguments):
         minus_limb1_lower_omega_x = limb1_lower_sin * minus_limb1_U_joint_rate_0
         t190 = t189 + minus_limb1_lower_omega_x
         t195 = t186 + t190 * (limb1_U2_constraint_mn_couple_z * t183 + limb1_U2_opening_mn * t190)
-        t199 = limb1_U2_constraint_mn_couple_z * (minus_limb1_lower_omega_y * t190 - t183 * minus_limb1_lower_omega_x)
+        t199 = (
+            limb1_U2_constraint_mn_couple_z * (minus_limb1_lower_omega_y * t190 - t183 * minus_limb1_lower_omega_x)
+        )
         t202 = limb1_U_joint_rate_1 * t183 - t176 * minus_limb1_lower_omega_y
         minus_limb1_lower_alpha_still_x = limb1_U_joint_rate_1 * minus_limb1_lower_omega_y
         # limb5_S: accelerations
@@ -5990,11 +6558,14 @@ def inverse_dynamics_independent(*arguments):
         t252 = t238 - t251
         limb5_S_joint_acc_wy = t96 * (t236 - t90 * t252)
         # limb4: geometry; accelerations; velocities, eq. (6)
-        limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
+        limb4_upper_position_y = param_R - minus_limb4_lower_sin * limb4_upper_offset_x
         t256 = t82 * (t84 * limb5_S_joint_acc_wy)  # mechanism
         t257 = limb4_U_0_sin * t256
         limb5_S_joint_acc_wx = t96 * (t87 * t252 + t94 * t235)
-        t265 = limb5_S_joint_acc_wy + t74 * (limb4_upper_position_y * (t257 + minus_limb4_U_0_cos * limb5_S_joint_acc_wx))
+        t265 = (
+            limb5_S_joint_acc_wy + t74 * (limb4_upper_position_y * (t257 + minus_limb4_U_0_cos *
+            limb5_S_joint_acc_wx))
+        )
         t267 = limb4_upper_position_y * (limb4_U_0_sin * limb5_S_joint_acc_still_wz)
         t270 = minus_limb4_U_0_cos * limb5_S_joint_rate_wz + limb4_U_0_sin * minus_limb5_S_joint_rate_wx
         limb4_P_joint_rate = limb4_S_arm_y * t270
@@ -6011,28 +6582,34 @@ def inverse_dynamics_independent(*arguments):
         t280 = t277 + limb4_upper_offset_x * t278
         t283 = minus_limb4_U_0_cos * t132 + limb4_U_0_sin * t142
         t284 = t280 * t283
-        t288 = limb4_upper_position_y * (limb4_U_0_sin * limb5_S_joint_rate_wz - minus_limb4_U_0_cos * minus_limb5_S_joint_rate_wx)
+        t288 = (
+            limb4_upper_position_y * (limb4_U_0_sin * limb5_S_joint_rate_wz - minus_limb4_U_0_cos *
+            minus_limb5_S_joint_rate_wx)
+        )
         limb4_U_joint_rate_0 = limb5_S_joint_rate_wy + t74 * t288
         t290 = t275 * limb4_U_joint_rate_0
         t293 = limb4_U_0_sin * t132 - minus_limb4_U_0_cos * t142
         t299 = t267 + (t276 - (t284 + (t290 - limb4_upper_position_y * (limb4_U_joint_rate_0 * t293))))
         limb4_U_joint_acc_0 = t265 + t74 * t299
-        limb4_U_0_rate_mz = 0.1112 * limb4_U_joint_acc_0
-        minus_limb4_upper_moment_y = 2.08953 * minus_limb4_U_0_cos
+        limb4_U_0_rate_mz = k3 * limb4_U_joint_acc_0
+        minus_limb4_upper_moment_y = gravity_z_limb_lower_mx * minus_limb4_U_0_cos
         minus_limb4_lower_omega_x = minus_limb4_lower_sin * limb4_U_joint_rate_0
         minus_limb4_lower_alpha_still_y = minus_limb4_U_joint_rate_1 * minus_limb4_lower_omega_x
-        t300 = 2.3439 * minus_limb4_lower_alpha_still_y
+        t300 = k9 * minus_limb4_lower_alpha_still_y
         minus_limb4_lower_alpha_y = minus_limb4_lower_alpha_still_y - limb4_lower_cos * limb4_U_joint_acc_0
-        limb4_lower_rate_my = minus_limb4_upper_moment_y - (t300 + 2.2727 * minus_limb4_lower_alpha_y)
+        limb4_lower_rate_my = minus_limb4_upper_moment_y - (t300 + k8 * minus_limb4_lower_alpha_y)
         limb4_lower_U_zx = minus_limb4_lower_alpha_still_y + minus_limb4_lower_alpha_y
-        limb4_lower_rate_fz = 0.213 * limb4_lower_U_zx
-        t304 = 9.81 * minus_limb4_U_0_cos - limb4_upper_offset_x * limb4_lower_U_zx
+        limb4_lower_rate_fz = limb_lower_mx * limb4_lower_U_zx
+        t304 = gravity_z * minus_limb4_U_0_cos - limb4_upper_offset_x * limb4_lower_U_zx
         limb4_lower_omega_y = limb4_lower_cos * limb4_U_joint_rate_0
         minus_limb4_upper_acc_z = t304 + limb4_P_joint_rate * (2.0 * limb4_lower_omega_y)
         # limb4: balance, eqs. (40)-(47)
-        t307 = limb4_upper_offset_x * (limb4_lower_rate_fz + 1.42 * minus_limb4_upper_acc_z)
-        t309 = limb4_lower_cos * (limb4_lower_rate_my + (t307 - 0.213 * minus_limb4_upper_acc_z))
-        limb4_U_0_moment_z = limb4_U_0_rate_mz + (t309 + minus_limb4_lower_sin * (0.0712 * (minus_limb4_U_joint_rate_1 * limb4_lower_omega_y)))
+        t307 = limb4_upper_offset_x * (limb4_lower_rate_fz + limb_lower_m * minus_limb4_upper_acc_z)
+        t309 = limb4_lower_cos * (limb4_lower_rate_my + (t307 - limb_lower_mx * minus_limb4_upper_acc_z))
+        limb4_U_0_moment_z = (
+            limb4_U_0_rate_mz + (t309 + minus_limb4_lower_sin * (k10 * (minus_limb4_U_joint_rate_1 *
+            limb4_lower_omega_y)))
+        )
         minus_limb4_S_multiplier_fz = t74 * limb4_U_0_moment_z
         t311 = limb4_S_arm_x * minus_limb4_S_multiplier_fz
         t312 = minus_limb4_lower_sin * t311
@@ -6042,42 +6619,48 @@ def inverse_dynamics_independent(*arguments):
         # limb4: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
         t317 = minus_limb4_U_joint_rate_1 * minus_limb4_U_joint_rate_1
         minus_limb4_lower_U_still_xx = t317 + limb4_lower_omega_y * limb4_lower_omega_y
-        minus_limb4_lower_rate_fx = 0.213 * minus_limb4_lower_U_still_xx
-        minus_limb4_U_0_acc_y = 9.81 * limb4_U_0_sin
-        minus_limb4_upper_acc_still_x_2 = limb4_lower_cos * minus_limb4_U_0_acc_y + limb4_upper_offset_x * minus_limb4_lower_U_still_xx
+        minus_limb4_lower_rate_fx = limb_lower_mx * minus_limb4_lower_U_still_xx
+        minus_limb4_U_0_acc_y = gravity_z * limb4_U_0_sin
+        minus_limb4_upper_acc_still_x_2 = (
+            limb4_lower_cos * minus_limb4_U_0_acc_y + limb4_upper_offset_x * minus_limb4_lower_U_still_xx
+        )
         t321 = minus_limb4_U_0_cos * t256 - limb4_U_0_sin * limb5_S_joint_acc_wx
         t322 = limb4_S_arm_y * t321
         t323 = minus_limb4_U_0_cos * limb5_S_joint_acc_still_wz
         t324 = limb4_S_arm_y * t323
-        t326 = t293 * (0.8 * t273)
+        t326 = t293 * (param_R * t273)
         t327 = t283 * limb4_U_joint_rate_0
-        minus_limb4_lower_force_x = 1.42 * (minus_limb4_upper_acc_still_x_2 - (t322 + (t324 + (t326 + limb4_S_arm_y * t327))))
+        minus_limb4_lower_force_x = (
+            limb_lower_m * (minus_limb4_upper_acc_still_x_2 - (t322 + (t324 + (t326 + limb4_S_arm_y * t327))))
+        )
         t330 = limb4_S_arm_y * (minus_limb4_lower_rate_fx - minus_limb4_lower_force_x)
         minus_limb4_lower_acc_y = minus_limb4_lower_sin * minus_limb4_U_0_acc_y
-        limb4_upper_moment_z = 0.213 * minus_limb4_lower_acc_y
+        limb4_upper_moment_z = limb_lower_mx * minus_limb4_lower_acc_y
         minus_limb4_lower_U_still_xy = minus_limb4_lower_omega_x * limb4_lower_omega_y
-        t331 = 2.2727 * minus_limb4_lower_U_still_xy
+        t331 = k8 * minus_limb4_lower_U_still_xy
         t332 = limb4_S_arm_x * t321
         t333 = limb4_S_arm_x * t323
-        t336 = t293 * (limb4_P_joint_rate - 0.8 * t278)
+        t336 = t293 * (limb4_P_joint_rate - param_R * t278)
         t342 = t332 + (t333 - (t336 + (limb4_P_joint_rate * minus_limb4_U_joint_rate_1 - limb4_S_arm_x * t327)))
         minus_limb4_U_joint_acc_1 = t272 * t342
-        minus_limb4_lower_rate_mz = limb4_upper_moment_z + (t331 + 2.3439 * minus_limb4_U_joint_acc_1)
+        minus_limb4_lower_rate_mz = limb4_upper_moment_z + (t331 + k9 * minus_limb4_U_joint_acc_1)
         minus_limb4_lower_U_yx = minus_limb4_lower_U_still_xy + minus_limb4_U_joint_acc_1
-        minus_limb4_lower_rate_fy = 0.213 * minus_limb4_lower_U_yx
+        minus_limb4_lower_rate_fy = limb_lower_mx * minus_limb4_lower_U_yx
         t346 = limb4_P_joint_rate * (2.0 * minus_limb4_U_joint_rate_1)
         minus_limb4_upper_acc_y = t346 + (minus_limb4_lower_acc_y + limb4_upper_offset_x * minus_limb4_lower_U_yx)
-        t349 = limb4_upper_offset_x * (minus_limb4_lower_rate_fy - 1.42 * minus_limb4_upper_acc_y)
-        t351 = limb4_S_arm_x * (t272 * (minus_limb4_lower_rate_mz - (t349 + 0.213 * minus_limb4_upper_acc_y)))
+        t349 = limb4_upper_offset_x * (minus_limb4_lower_rate_fy - limb_lower_m * minus_limb4_upper_acc_y)
+        t351 = (
+            limb4_S_arm_x * (t272 * (minus_limb4_lower_rate_mz - (t349 + limb_lower_mx * minus_limb4_upper_acc_y)))
+        )
         t352 = t330 + t351
         t354 = t316 - minus_limb4_U_0_cos * t352
         # limb3: geometry; reciprocal wrenches, eq. (10); accelerations
         minus_limb3_lower_sin = np.sin(t49)
-        limb3_upper_offset_x = 0.3 + limb3_P_q
-        limb3_S_arm_x = limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin
+        limb3_upper_offset_x = limb_upper_phase + limb3_P_q
+        limb3_S_arm_x = limb3_upper_offset_x - param_R * minus_limb3_lower_sin
         minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x
         t356 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
-        limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
+        limb3_upper_position_x = param_R - minus_limb3_lower_sin * limb3_upper_offset_x
         t361 = t356 * (limb3_upper_position_x * (limb3_U_0_cos * t256 - limb3_U_0_sin * limb5_S_joint_acc_wy))
         t362 = limb5_S_joint_acc_wx - t361
         t364 = limb3_upper_position_x * (limb3_U_0_cos * limb5_S_joint_acc_still_wz)
@@ -6096,28 +6679,33 @@ def inverse_dynamics_independent(*arguments):
         t377 = t374 + limb3_upper_offset_x * t375
         t380 = limb3_U_0_cos * t142 - limb3_U_0_sin * t148
         t381 = t377 * t380
-        t385 = limb3_upper_position_x * (limb3_U_0_cos * limb5_S_joint_rate_wz - limb3_U_0_sin * limb5_S_joint_rate_wy)
+        t385 = (
+            limb3_upper_position_x * (limb3_U_0_cos * limb5_S_joint_rate_wz - limb3_U_0_sin * limb5_S_joint_rate_wy)
+        )
         minus_limb3_U_joint_rate_0 = minus_limb5_S_joint_rate_wx + t356 * t385
         t387 = t372 * minus_limb3_U_joint_rate_0
         t390 = limb3_U_0_sin * t142 + limb3_U_0_cos * t148
         t396 = t364 + (t373 + (t381 + (t387 + limb3_upper_position_x * (minus_limb3_U_joint_rate_0 * t390))))
         limb3_U_joint_acc_0 = t362 - t356 * t396
-        limb3_U_0_rate_mz = 0.1112 * limb3_U_joint_acc_0
-        limb3_upper_moment_y = 2.08953 * limb3_U_0_sin
+        limb3_U_0_rate_mz = k3 * limb3_U_joint_acc_0
+        limb3_upper_moment_y = gravity_z_limb_lower_mx * limb3_U_0_sin
         limb3_lower_omega_x = minus_limb3_lower_sin * minus_limb3_U_joint_rate_0
         minus_limb3_lower_alpha_still_y = limb3_U_joint_rate_1 * limb3_lower_omega_x
-        t397 = 2.3439 * minus_limb3_lower_alpha_still_y
+        t397 = k9 * minus_limb3_lower_alpha_still_y
         minus_limb3_lower_alpha_y = minus_limb3_lower_alpha_still_y - limb3_lower_cos * limb3_U_joint_acc_0
-        minus_limb3_lower_rate_my = limb3_upper_moment_y + (t397 + 2.2727 * minus_limb3_lower_alpha_y)
+        minus_limb3_lower_rate_my = limb3_upper_moment_y + (t397 + k8 * minus_limb3_lower_alpha_y)
         limb3_lower_U_zx = minus_limb3_lower_alpha_still_y + minus_limb3_lower_alpha_y
-        limb3_lower_rate_fz = 0.213 * limb3_lower_U_zx
-        t401 = 9.81 * limb3_U_0_sin + limb3_upper_offset_x * limb3_lower_U_zx
+        limb3_lower_rate_fz = limb_lower_mx * limb3_lower_U_zx
+        t401 = gravity_z * limb3_U_0_sin + limb3_upper_offset_x * limb3_lower_U_zx
         minus_limb3_lower_omega_y = limb3_lower_cos * minus_limb3_U_joint_rate_0
         limb3_upper_acc_z = t401 - minus_limb3_P_joint_rate * (2.0 * minus_limb3_lower_omega_y)
         # limb3: balance, eqs. (40)-(47)
-        t404 = limb3_upper_offset_x * (limb3_lower_rate_fz - 1.42 * limb3_upper_acc_z)
-        t406 = limb3_lower_cos * (minus_limb3_lower_rate_my - (t404 + 0.213 * limb3_upper_acc_z))
-        limb3_U_0_moment_z = limb3_U_0_rate_mz - (t406 - minus_limb3_lower_sin * (0.0712 * (limb3_U_joint_rate_1 * minus_limb3_lower_omega_y)))
+        t404 = limb3_upper_offset_x * (limb3_lower_rate_fz - limb_lower_m * limb3_upper_acc_z)
+        t406 = limb3_lower_cos * (minus_limb3_lower_rate_my - (t404 + limb_lower_mx * limb3_upper_acc_z))
+        limb3_U_0_moment_z = (
+            limb3_U_0_rate_mz - (t406 - minus_limb3_lower_sin * (k10 * (limb3_U_joint_rate_1 *
+            minus_limb3_lower_omega_y)))
+        )
         minus_limb3_S_multiplier_fz = t356 * limb3_U_0_moment_z
         t408 = limb3_S_arm_x * minus_limb3_S_multiplier_fz
         t409 = minus_limb3_lower_sin * t408
@@ -6127,41 +6715,46 @@ def inverse_dynamics_independent(*arguments):
         # limb3: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
         t414 = limb3_U_joint_rate_1 * limb3_U_joint_rate_1
         minus_limb3_lower_U_still_xx = t414 + minus_limb3_lower_omega_y * minus_limb3_lower_omega_y
-        minus_limb3_lower_rate_fx = 0.213 * minus_limb3_lower_U_still_xx
-        limb3_U_0_acc_y = 9.81 * limb3_U_0_cos
-        limb3_upper_acc_still_x = limb3_lower_cos * limb3_U_0_acc_y - limb3_upper_offset_x * minus_limb3_lower_U_still_xx
+        minus_limb3_lower_rate_fx = limb_lower_mx * minus_limb3_lower_U_still_xx
+        limb3_U_0_acc_y = gravity_z * limb3_U_0_cos
+        limb3_upper_acc_still_x = (
+            limb3_lower_cos * limb3_U_0_acc_y - limb3_upper_offset_x * minus_limb3_lower_U_still_xx
+        )
         t418 = limb3_U_0_sin * t256 + limb3_U_0_cos * limb5_S_joint_acc_wy
         t419 = limb3_S_arm_y * t418
         t420 = limb3_U_0_sin * limb5_S_joint_acc_still_wz
         t421 = limb3_S_arm_y * t420
-        t423 = t390 * (0.8 * t370)
+        t423 = t390 * (param_R * t370)
         t424 = t380 * minus_limb3_U_joint_rate_0
-        limb3_lower_force_x = 1.42 * (limb3_upper_acc_still_x - (t419 + (t421 + (t423 - limb3_S_arm_y * t424))))
+        limb3_lower_force_x = (
+            limb_lower_m * (limb3_upper_acc_still_x - (t419 + (t421 + (t423 - limb3_S_arm_y * t424))))
+        )
         t427 = limb3_S_arm_y * (minus_limb3_lower_rate_fx + limb3_lower_force_x)
         limb3_lower_acc_y = minus_limb3_lower_sin * limb3_U_0_acc_y
-        minus_limb3_upper_moment_z = 0.213 * limb3_lower_acc_y
+        minus_limb3_upper_moment_z = limb_lower_mx * limb3_lower_acc_y
         minus_limb3_lower_U_still_xy = limb3_lower_omega_x * minus_limb3_lower_omega_y
-        t428 = 2.2727 * minus_limb3_lower_U_still_xy
+        t428 = k8 * minus_limb3_lower_U_still_xy
         t429 = limb3_S_arm_x * t418
         t430 = limb3_S_arm_x * t420
-        t433 = t390 * (minus_limb3_P_joint_rate - 0.8 * t375)
+        t433 = t390 * (minus_limb3_P_joint_rate - param_R * t375)
         t439 = t429 + (t430 - (t433 - (minus_limb3_P_joint_rate * limb3_U_joint_rate_1 - limb3_S_arm_x * t424)))
         limb3_U_joint_acc_1 = t369 * t439
-        limb3_lower_rate_mz = minus_limb3_upper_moment_z - (t428 - 2.3439 * limb3_U_joint_acc_1)
+        limb3_lower_rate_mz = minus_limb3_upper_moment_z - (t428 - k9 * limb3_U_joint_acc_1)
         minus_limb3_lower_U_yx = minus_limb3_lower_U_still_xy - limb3_U_joint_acc_1
-        minus_limb3_lower_rate_fy = 0.213 * minus_limb3_lower_U_yx
+        minus_limb3_lower_rate_fy = limb_lower_mx * minus_limb3_lower_U_yx
         t443 = minus_limb3_P_joint_rate * (2.0 * limb3_U_joint_rate_1)
         minus_limb3_upper_acc_y = t443 - (limb3_lower_acc_y - limb3_upper_offset_x * minus_limb3_lower_U_yx)
-        t446 = limb3_upper_offset_x * (minus_limb3_lower_rate_fy - 1.42 * minus_limb3_upper_acc_y)
-        t449 = t427 - limb3_S_arm_x * (t369 * (limb3_lower_rate_mz + (t446 + 0.213 * minus_limb3_upper_acc_y)))
+        t446 = limb3_upper_offset_x * (minus_limb3_lower_rate_fy - limb_lower_m * minus_limb3_upper_acc_y)
+        t448 = limb3_S_arm_x * (t369 * (limb3_lower_rate_mz + (t446 + limb_lower_mx * minus_limb3_upper_acc_y)))
+        t449 = t427 - t448
         t451 = t413 - limb3_U_0_sin * t449
         # limb2: geometry; reciprocal wrenches, eq. (10); accelerations
         limb2_lower_sin = np.sin(t52)
-        limb2_upper_offset_x = 0.3 + limb2_P_q
-        limb2_S_arm_x = limb2_upper_offset_x - 0.8 * limb2_lower_sin
+        limb2_upper_offset_x = limb_upper_phase + limb2_P_q
+        limb2_S_arm_x = limb2_upper_offset_x - param_R * limb2_lower_sin
         minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x
         t453 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
-        minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
+        minus_limb2_upper_position_y = param_R - limb2_lower_sin * limb2_upper_offset_x
         t457 = minus_limb2_upper_position_y * (limb2_U_0_sin * t256 + minus_limb2_U_0_cos * limb5_S_joint_acc_wx)
         t459 = limb5_S_joint_acc_wy - t453 * t457
         t461 = minus_limb2_upper_position_y * (limb2_U_0_sin * limb5_S_joint_acc_still_wz)
@@ -6180,28 +6773,34 @@ def inverse_dynamics_independent(*arguments):
         t474 = t471 + limb2_upper_offset_x * t472
         t477 = minus_limb2_U_0_cos * t132 + limb2_U_0_sin * t142
         t478 = t474 * t477
-        t482 = minus_limb2_upper_position_y * (limb2_U_0_sin * limb5_S_joint_rate_wz - minus_limb2_U_0_cos * minus_limb5_S_joint_rate_wx)
+        t482 = (
+            minus_limb2_upper_position_y * (limb2_U_0_sin * limb5_S_joint_rate_wz - minus_limb2_U_0_cos *
+            minus_limb5_S_joint_rate_wx)
+        )
         limb2_U_joint_rate_0 = limb5_S_joint_rate_wy - t453 * t482
         t484 = t469 * limb2_U_joint_rate_0
         t487 = limb2_U_0_sin * t132 - minus_limb2_U_0_cos * t142
         t493 = t461 + (t470 + (t478 - (t484 - minus_limb2_upper_position_y * (limb2_U_joint_rate_0 * t487))))
         limb2_U_joint_acc_0 = t459 - t453 * t493
-        limb2_U_0_rate_mz = 0.1112 * limb2_U_joint_acc_0
-        minus_limb2_upper_moment_y = 2.08953 * minus_limb2_U_0_cos
+        limb2_U_0_rate_mz = k3 * limb2_U_joint_acc_0
+        minus_limb2_upper_moment_y = gravity_z_limb_lower_mx * minus_limb2_U_0_cos
         limb2_lower_omega_x = limb2_lower_sin * limb2_U_joint_rate_0
         limb2_lower_alpha_still_y = minus_limb2_U_joint_rate_1 * limb2_lower_omega_x
-        t494 = 2.3439 * limb2_lower_alpha_still_y
+        t494 = k9 * limb2_lower_alpha_still_y
         limb2_lower_alpha_y = limb2_lower_alpha_still_y + limb2_lower_cos * limb2_U_joint_acc_0
-        limb2_lower_rate_my = minus_limb2_upper_moment_y + (t494 + 2.2727 * limb2_lower_alpha_y)
+        limb2_lower_rate_my = minus_limb2_upper_moment_y + (t494 + k8 * limb2_lower_alpha_y)
         minus_limb2_lower_U_zx = limb2_lower_alpha_still_y + limb2_lower_alpha_y
-        minus_limb2_lower_rate_fz = 0.213 * minus_limb2_lower_U_zx
-        t498 = 9.81 * minus_limb2_U_0_cos + limb2_upper_offset_x * minus_limb2_lower_U_zx
+        minus_limb2_lower_rate_fz = limb_lower_mx * minus_limb2_lower_U_zx
+        t498 = gravity_z * minus_limb2_U_0_cos + limb2_upper_offset_x * minus_limb2_lower_U_zx
         limb2_lower_omega_y = limb2_lower_cos * limb2_U_joint_rate_0
         minus_limb2_upper_acc_z = t498 - minus_limb2_P_joint_rate * (2.0 * limb2_lower_omega_y)
         # limb2: balance, eqs. (40)-(47)
-        t501 = limb2_upper_offset_x * (minus_limb2_lower_rate_fz - 1.42 * minus_limb2_upper_acc_z)
-        t503 = limb2_lower_cos * (limb2_lower_rate_my - (t501 + 0.213 * minus_limb2_upper_acc_z))
-        limb2_U_0_moment_z = limb2_U_0_rate_mz + (t503 - limb2_lower_sin * (0.0712 * (minus_limb2_U_joint_rate_1 * limb2_lower_omega_y)))
+        t501 = limb2_upper_offset_x * (minus_limb2_lower_rate_fz - limb_lower_m * minus_limb2_upper_acc_z)
+        t503 = limb2_lower_cos * (limb2_lower_rate_my - (t501 + limb_lower_mx * minus_limb2_upper_acc_z))
+        limb2_U_0_moment_z = (
+            limb2_U_0_rate_mz + (t503 - limb2_lower_sin * (k10 * (minus_limb2_U_joint_rate_1 *
+            limb2_lower_omega_y)))
+        )
         minus_limb2_S_multiplier_fz = t453 * limb2_U_0_moment_z
         t505 = limb2_S_arm_x * minus_limb2_S_multiplier_fz
         t506 = limb2_lower_sin * t505
@@ -6211,69 +6810,80 @@ def inverse_dynamics_independent(*arguments):
         # limb2: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
         t511 = minus_limb2_U_joint_rate_1 * minus_limb2_U_joint_rate_1
         minus_limb2_lower_U_still_xx = t511 + limb2_lower_omega_y * limb2_lower_omega_y
-        minus_limb2_lower_rate_fx = 0.213 * minus_limb2_lower_U_still_xx
-        minus_limb2_U_0_acc_y = 9.81 * limb2_U_0_sin
-        minus_limb2_upper_acc_still_x_2 = limb2_lower_cos * minus_limb2_U_0_acc_y + limb2_upper_offset_x * minus_limb2_lower_U_still_xx
+        minus_limb2_lower_rate_fx = limb_lower_mx * minus_limb2_lower_U_still_xx
+        minus_limb2_U_0_acc_y = gravity_z * limb2_U_0_sin
+        minus_limb2_upper_acc_still_x_2 = (
+            limb2_lower_cos * minus_limb2_U_0_acc_y + limb2_upper_offset_x * minus_limb2_lower_U_still_xx
+        )
         t515 = minus_limb2_U_0_cos * t256 - limb2_U_0_sin * limb5_S_joint_acc_wx
         t516 = minus_limb2_S_arm_y * t515
         t517 = minus_limb2_U_0_cos * limb5_S_joint_acc_still_wz
         t518 = minus_limb2_S_arm_y * t517
-        t520 = t487 * (0.8 * t467)
+        t520 = t487 * (param_R * t467)
         t521 = t477 * limb2_U_joint_rate_0
-        minus_limb2_lower_force_x = 1.42 * (minus_limb2_upper_acc_still_x_2 + (t516 + (t518 - (t520 - minus_limb2_S_arm_y * t521))))
+        minus_limb2_lower_force_x = (
+            limb_lower_m * (minus_limb2_upper_acc_still_x_2 + (t516 + (t518 - (t520 - minus_limb2_S_arm_y * t521))))
+        )
         t524 = minus_limb2_S_arm_y * (minus_limb2_lower_rate_fx - minus_limb2_lower_force_x)
         limb2_lower_acc_y = limb2_lower_sin * minus_limb2_U_0_acc_y
-        minus_limb2_upper_moment_z = 0.213 * limb2_lower_acc_y
+        minus_limb2_upper_moment_z = limb_lower_mx * limb2_lower_acc_y
         limb2_lower_U_still_xy = limb2_lower_omega_x * limb2_lower_omega_y
-        t525 = 2.2727 * limb2_lower_U_still_xy
+        t525 = k8 * limb2_lower_U_still_xy
         t526 = limb2_S_arm_x * t515
         t527 = limb2_S_arm_x * t517
-        t530 = t487 * (minus_limb2_P_joint_rate - 0.8 * t472)
+        t530 = t487 * (minus_limb2_P_joint_rate - param_R * t472)
         t535 = t527 + (t530 + (minus_limb2_P_joint_rate * minus_limb2_U_joint_rate_1 + limb2_S_arm_x * t521))
         minus_limb2_U_joint_acc_1 = t466 * (t526 + t535)
-        limb2_lower_rate_mz = minus_limb2_upper_moment_z + (t525 - 2.3439 * minus_limb2_U_joint_acc_1)
+        limb2_lower_rate_mz = minus_limb2_upper_moment_z + (t525 - k9 * minus_limb2_U_joint_acc_1)
         limb2_lower_U_yx = limb2_lower_U_still_xy - minus_limb2_U_joint_acc_1
-        limb2_lower_rate_fy = 0.213 * limb2_lower_U_yx
+        limb2_lower_rate_fy = limb_lower_mx * limb2_lower_U_yx
         t540 = minus_limb2_P_joint_rate * (2.0 * minus_limb2_U_joint_rate_1)
         limb2_upper_acc_y = t540 + (limb2_lower_acc_y + limb2_upper_offset_x * limb2_lower_U_yx)
-        t543 = limb2_upper_offset_x * (limb2_lower_rate_fy - 1.42 * limb2_upper_acc_y)
-        t546 = t524 + limb2_S_arm_x * (t466 * (limb2_lower_rate_mz - (t543 + 0.213 * limb2_upper_acc_y)))
+        t543 = limb2_upper_offset_x * (limb2_lower_rate_fy - limb_lower_m * limb2_upper_acc_y)
+        t546 = t524 + limb2_S_arm_x * (t466 * (limb2_lower_rate_mz - (t543 + limb_lower_mx * limb2_upper_acc_y)))
         t548 = t510 - minus_limb2_U_0_cos * t546
         # platform: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
         limb5_S_joint_acc_wz = limb5_S_joint_acc_still_wz + t256
         t549 = platform_turn_zz * limb5_S_joint_acc_wz
-        platform_rate_mz = 92.1 * (t549 + (platform_turn_yz * limb5_S_joint_acc_wy + platform_turn_xz * limb5_S_joint_acc_wx))
+        platform_rate_mz = (
+            platform_Izz * (t549 + (platform_turn_yz * limb5_S_joint_acc_wy + platform_turn_xz *
+            limb5_S_joint_acc_wx))
+        )
         t553 = platform_turn_zz * platform_rate_mz
-        platform_moment_y = 14.62961126155784 * platform_turn_zx
-        t554 = 22.6251 * (platform_omega_z * platform_omega_x)
+        platform_moment_y = gravity_z_platform_mz * platform_turn_zx
+        t554 = k12 * (platform_omega_z * platform_omega_x)
         t555 = platform_turn_zy * limb5_S_joint_acc_wz
-        t559 = 69.4749 * (t555 + (platform_turn_yy * limb5_S_joint_acc_wy + platform_turn_xy * limb5_S_joint_acc_wx))
+        t559 = k13 * (t555 + (platform_turn_yy * limb5_S_joint_acc_wy + platform_turn_xy * limb5_S_joint_acc_wx))
         platform_rate_my = platform_moment_y - (t554 - t559)
         t561 = platform_turn_zy * platform_rate_my
-        minus_platform_moment_x = 14.62961126155784 * platform_turn_zy
-        t562 = 22.6251 * (platform_omega_z * platform_omega_y)
+        minus_platform_moment_x = gravity_z_platform_mz * platform_turn_zy
+        t562 = k12 * (platform_omega_z * platform_omega_y)
         t563 = platform_turn_zx * limb5_S_joint_acc_wz
-        t567 = 69.4749 * (t563 + (platform_turn_yx * limb5_S_joint_acc_wy + platform_turn_xx * limb5_S_joint_acc_wx))
+        t567 = k13 * (t563 + (platform_turn_yx * limb5_S_joint_acc_wy + platform_turn_xx * limb5_S_joint_acc_wx))
         minus_platform_rate_mx = minus_platform_moment_x - (t562 + t567)
         t571 = t553 + (t561 - platform_turn_zx * minus_platform_rate_mx)
         # limb1: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
         t576 = t19 * (minus_limb1_upper_position_x * (limb1_U_0_cos * t256 - limb1_U_0_sin * limb5_S_joint_acc_wy))
         t577 = limb5_S_joint_acc_wx + t576
-        limb1_U_joint_acc_0 = t577 + t19 * (t165 + minus_limb1_upper_position_x * (limb1_U_0_cos * limb5_S_joint_acc_still_wz))
-        limb1_U_0_rate_mz = 0.1112 * limb1_U_joint_acc_0
-        limb1_upper_moment_y = 2.08953 * limb1_U_0_sin
+        limb1_U_joint_acc_0 = (
+            t577 + t19 * (t165 + minus_limb1_upper_position_x * (limb1_U_0_cos * limb5_S_joint_acc_still_wz))
+        )
+        limb1_U_0_rate_mz = k3 * limb1_U_joint_acc_0
+        limb1_upper_moment_y = gravity_z_limb_lower_mx * limb1_U_0_sin
         limb1_lower_alpha_still_y = limb1_U_joint_rate_1 * minus_limb1_lower_omega_x
-        t581 = 2.3439 * limb1_lower_alpha_still_y
+        t581 = k9 * limb1_lower_alpha_still_y
         limb1_lower_alpha_y = limb1_lower_alpha_still_y + limb1_lower_cos * limb1_U_joint_acc_0
-        minus_limb1_lower_rate_my = limb1_upper_moment_y - (t581 + 2.2727 * limb1_lower_alpha_y)
+        minus_limb1_lower_rate_my = limb1_upper_moment_y - (t581 + k8 * limb1_lower_alpha_y)
         minus_limb1_lower_U_zx = limb1_lower_alpha_still_y + limb1_lower_alpha_y
-        minus_limb1_lower_rate_fz = 0.213 * minus_limb1_lower_U_zx
-        t585 = 9.81 * limb1_U_0_sin - limb1_upper_offset_x * minus_limb1_lower_U_zx
+        minus_limb1_lower_rate_fz = limb_lower_mx * minus_limb1_lower_U_zx
+        t585 = gravity_z * limb1_U_0_sin - limb1_upper_offset_x * minus_limb1_lower_U_zx
         limb1_upper_acc_z = t585 + limb1_P_joint_rate * (2.0 * minus_limb1_lower_omega_y)
         # limb1: balance, eqs. (40)-(47)
-        t588 = limb1_upper_offset_x * (minus_limb1_lower_rate_fz + 1.42 * limb1_upper_acc_z)
-        t590 = limb1_lower_cos * (minus_limb1_lower_rate_my + (t588 - 0.213 * limb1_upper_acc_z))
-        minus_limb1_U2_part_fz = t19 * (limb1_U_0_rate_mz - (t590 + limb1_lower_sin * (0.0712 * minus_limb1_lower_alpha_still_x)))
+        t588 = limb1_upper_offset_x * (minus_limb1_lower_rate_fz + limb_lower_m * limb1_upper_acc_z)
+        t590 = limb1_lower_cos * (minus_limb1_lower_rate_my + (t588 - limb_lower_mx * limb1_upper_acc_z))
+        minus_limb1_U2_part_fz = (
+            t19 * (limb1_U_0_rate_mz - (t590 + limb1_lower_sin * (k10 * minus_limb1_lower_alpha_still_x)))
+        )
         t592 = limb1_U2_arm_x * minus_limb1_U2_part_fz
         t593 = limb1_lower_sin * t592
         t594 = minus_limb1_U2_arm_y * minus_limb1_U2_part_fz
@@ -6282,27 +6892,34 @@ def inverse_dynamics_independent(*arguments):
         # limb1: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
         t598 = limb1_U_joint_rate_1 * limb1_U_joint_rate_1
         minus_limb1_lower_U_still_xx = t598 + minus_limb1_lower_omega_y * minus_limb1_lower_omega_y
-        minus_limb1_lower_rate_fx = 0.213 * minus_limb1_lower_U_still_xx
-        limb1_U_0_acc_y = 9.81 * limb1_U_0_cos
-        limb1_upper_acc_still_x = limb1_lower_cos * limb1_U_0_acc_y - limb1_upper_offset_x * minus_limb1_lower_U_still_xx
+        minus_limb1_lower_rate_fx = limb_lower_mx * minus_limb1_lower_U_still_xx
+        limb1_U_0_acc_y = gravity_z * limb1_U_0_cos
+        limb1_upper_acc_still_x = (
+            limb1_lower_cos * limb1_U_0_acc_y - limb1_upper_offset_x * minus_limb1_lower_U_still_xx
+        )
         t602 = limb1_U_0_sin * t256 + limb1_U_0_cos * limb5_S_joint_acc_wy
         t603 = minus_limb1_U2_arm_y * t602
         t604 = limb1_U_0_sin * limb5_S_joint_acc_still_wz
-        limb1_P_joint_acc_still = minus_limb1_U2_arm_y * t604 - (t160 * (0.8 * t105) + minus_limb1_U2_arm_y * t171)
-        limb1_upper_rate_fx = minus_limb1_lower_rate_fx + 1.42 * (limb1_upper_acc_still_x + (t603 + limb1_P_joint_acc_still))
+        limb1_P_joint_acc_still = (
+            minus_limb1_U2_arm_y * t604 - (t160 * (param_R * t105) + minus_limb1_U2_arm_y * t171)
+        )
+        limb1_upper_rate_fx = (
+            minus_limb1_lower_rate_fx + limb_lower_m * (limb1_upper_acc_still_x + (t603 + limb1_P_joint_acc_still))
+        )
         t610 = minus_limb1_U2_arm_y * limb1_upper_rate_fx
         minus_limb1_lower_acc_y = limb1_lower_sin * limb1_U_0_acc_y
-        limb1_upper_moment_z = 0.213 * minus_limb1_lower_acc_y
+        limb1_upper_moment_z = limb_lower_mx * minus_limb1_lower_acc_y
         limb1_lower_U_still_xy = minus_limb1_lower_omega_y * minus_limb1_lower_omega_x
-        t611 = 2.2727 * limb1_lower_U_still_xy
+        t611 = k8 * limb1_lower_U_still_xy
         limb1_U_joint_acc_1 = t36 * (limb1_U2_arm_x * t602 + (t174 + limb1_U2_arm_x * t604))
-        minus_limb1_lower_rate_mz = limb1_upper_moment_z - (t611 + 2.3439 * limb1_U_joint_acc_1)
+        minus_limb1_lower_rate_mz = limb1_upper_moment_z - (t611 + k9 * limb1_U_joint_acc_1)
         limb1_lower_U_yx = limb1_lower_U_still_xy + limb1_U_joint_acc_1
-        limb1_lower_rate_fy = 0.213 * limb1_lower_U_yx
+        limb1_lower_rate_fy = limb_lower_mx * limb1_lower_U_yx
         t619 = limb1_P_joint_rate * (2.0 * limb1_U_joint_rate_1)
         limb1_upper_acc_y = t619 - (minus_limb1_lower_acc_y - limb1_upper_offset_x * limb1_lower_U_yx)
-        t622 = limb1_upper_offset_x * (limb1_lower_rate_fy - 1.42 * limb1_upper_acc_y)
-        t625 = t610 - limb1_U2_arm_x * (t36 * (minus_limb1_lower_rate_mz + (t622 + 0.213 * limb1_upper_acc_y)))
+        t622 = limb1_upper_offset_x * (limb1_lower_rate_fy - limb_lower_m * limb1_upper_acc_y)
+        t624 = limb1_U2_arm_x * (t36 * (minus_limb1_lower_rate_mz + (t622 + limb_lower_mx * limb1_upper_acc_y)))
+        t625 = t610 - t624
         # platform: balance, eqs. (40)-(47); drives
         minus_platform_joint_force_mz = t354 - (t451 + (t548 + (t571 - (t597 - limb1_U_0_sin * t625))))
         limb1_U2_part_mn = t42 * minus_platform_joint_force_mz
@@ -6332,16 +6949,27 @@ def inverse_dynamics_independent(*arguments):
         limb3_P_drive = limb5_S_balance_wy_by_limb3_P * t676 + minus_limb5_S_balance_wx_by_limb3_P * t681
         minus_limb4_P_drive = minus_limb5_S_balance_wy_by_limb4_P * t676 + limb5_S_balance_wx_by_limb4_P * t681
         limb4_P_drive = -minus_limb4_P_drive
+        guards = (  # status 1 where a pivot is smaller than its limit:
+            (minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-10),  # where the reciprocal wrench limb3_S.fz has no
+            # power along limb3_U.0, as in a stretched limb
+            (minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-10),  # where the reciprocal wrench limb2_S.fz has no
+            # power along limb2_U.0, as in a stretched limb
+            (minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-10),  # where the reciprocal wrench limb4_S.fz has no
+            # power along limb4_U.0, as in a stretched limb
+            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-10),  # where the reciprocal wrench limb1_U2.fz has
+            # no power along limb1_U.0, as in a stretched limb
+            (minus_limb5_S_pivot_wz, 1.0e-09),  # where the loops no longer determine limb5_S.wz
+            (a_pivot, 1.0e-09),  # where the elimination meets a singularity
+            (platform_joint_force_mz_by_limb1_U2_mn, 4.0171000000000005e-10),  # where limb1_U2.mn cannot balance
+            # platform.moment_z
+            (minus_determinant, 2.393867125597279e-10),  # where equations that are solved at once lose rank, as
+            # drives do at a singularity
+        )
         return _finish(batch, ((limb1_P_drive, limb2_P_drive, limb3_P_drive, limb4_P_drive),),
-            ((minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-10),
-            (minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-10),
-            (minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-10),
-            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-10), (minus_limb5_S_pivot_wz,
-            1.0e-09), (a_pivot, 1.0e-09), (platform_joint_force_mz_by_limb1_U2_mn,
-            4.0171000000000005e-10), (minus_determinant, 2.393867125597279e-10)),
-            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, platform_joint_force_mz_by_limb1_U2_mn,
-            minus_determinant, minus_limb4_U_0_lever_mz_by_limb4_S_fz, minus_limb5_S_pivot_wz,
-            a_pivot, minus_limb3_U_0_lever_mz_by_limb3_S_fz, minus_limb2_U_0_lever_mz_by_limb2_S_fz,
+            guards, (minus_limb1_U_0_lever_mz_by_limb1_U2_fz,
+            platform_joint_force_mz_by_limb1_U2_mn, minus_determinant,
+            minus_limb4_U_0_lever_mz_by_limb4_S_fz, minus_limb5_S_pivot_wz, a_pivot,
+            minus_limb3_U_0_lever_mz_by_limb3_S_fz, minus_limb2_U_0_lever_mz_by_limb2_S_fz,
             minus_limb1_P_drive, limb2_P_drive, limb3_P_drive, minus_limb4_P_drive), ((t8, 0.999999,
             1.000001, 5),))
 
@@ -6382,7 +7010,8 @@ def inverse_dynamics_preload(*arguments):
     Note: 2 more drives than freedoms: the drives of smallest sum of squares; inverse_dynamics_preload
       takes weights and an internal preload
     """
-    entries, batch = _entries("inverse_dynamics_preload", {"q": 16, "v": 15, "a": 15, "weights": 4, "preload": 4}, arguments)
+    entries, batch = _entries("inverse_dynamics_preload", {"q": 16, "v": 15, "a": 15, "weights": 4,
+        "preload": 4}, arguments)
     (
         limb1_U_q_0, limb1_U_q_1, limb1_P_q, limb2_U_q_0, limb2_U_q_1, limb2_P_q, limb3_U_q_0,
         limb3_U_q_1, limb3_P_q, limb4_U_q_0, limb4_U_q_1, limb4_P_q, limb5_S_q_qw, limb5_S_q_qx,
@@ -6398,9 +7027,9 @@ def inverse_dynamics_preload(*arguments):
         # limb1: drives; geometry; reciprocal wrenches, eq. (10)
         t1 = 1.0 / limb1_P_weights
         limb1_U_0_cos = np.cos(limb1_U_q_0)
-        t2 = 0.5235987755982989 + limb1_U_q_1
+        t2 = limb_lower_phase + limb1_U_q_1
         limb1_lower_cos = np.cos(t2)
-        minus_limb1_U2_arm_y = 0.8 * limb1_lower_cos
+        minus_limb1_U2_arm_y = param_R * limb1_lower_cos
         # platform: balance, eqs. (40)-(47)
         minus_platform_joint_force_my_by_limb1_P = limb1_U_0_cos * minus_limb1_U2_arm_y
         limb1_U_0_sin = np.sin(limb1_U_q_0)
@@ -6423,13 +7052,13 @@ def inverse_dynamics_preload(*arguments):
         limb1_U2_constraint_mn_couple_x = t14 + limb1_U_0_sin * platform_turn_zy
         limb1_lower_sin = np.sin(t2)
         limb1_U_0_lever_mz_by_limb1_U2_mn = limb1_lower_sin * limb1_U2_constraint_mn_couple_x
-        limb1_upper_offset_x = 0.3 + limb1_P_q
+        limb1_upper_offset_x = limb_upper_phase + limb1_P_q
         minus_limb1_U_0_lever_mz_by_limb1_U2_fz = limb1_lower_cos * limb1_upper_offset_x
         t20 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz
         minus_limb1_U_factor_0_by_3 = limb1_U_0_lever_mz_by_limb1_U2_mn * t20
         t22 = limb1_U2_constraint_mn_couple_x - minus_limb1_U2_arm_y * minus_limb1_U_factor_0_by_3
         t23 = limb1_lower_cos * t22
-        limb1_U2_arm_x = limb1_upper_offset_x - 0.8 * limb1_lower_sin
+        limb1_U2_arm_x = limb1_upper_offset_x - param_R * limb1_lower_sin
         t25 = limb1_U2_arm_x * minus_limb1_U_factor_0_by_3
         t27 = t23 + limb1_lower_sin * t25
         t28 = limb1_U_0_sin * t27
@@ -6441,50 +7070,62 @@ def inverse_dynamics_preload(*arguments):
         platform_turn_xy = t34 - t35
         limb1_U2_constraint_mn_couple_z = t32 - limb1_lower_sin * platform_turn_xy
         t37 = limb1_lower_cos * t20  # limb1
-        minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * (limb1_U2_constraint_mn_couple_z * t37)
+        minus_limb1_U2_factor_0_by_3 = (
+            limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * (limb1_U2_constraint_mn_couple_z * t37)
+        )
         t40 = t28 - limb1_U_0_cos * minus_limb1_U2_factor_0_by_3
         minus_platform_joint_force_mz_by_limb1_P = limb1_U_0_sin * minus_limb1_U2_arm_y
         platform_joint_force_mz_by_limb1_U2_mn = limb1_U_0_cos * t27 + limb1_U_0_sin * minus_limb1_U2_factor_0_by_3
         t43 = 1.0 / platform_joint_force_mz_by_limb1_U2_mn
         limb1_U2_part_mn_by_limb1_P = minus_platform_joint_force_mz_by_limb1_P * t43
-        minus_limb5_S_balance_wy_by_limb1_P = minus_platform_joint_force_my_by_limb1_P + t40 * limb1_U2_part_mn_by_limb1_P
+        minus_limb5_S_balance_wy_by_limb1_P = (
+            minus_platform_joint_force_my_by_limb1_P + t40 * limb1_U2_part_mn_by_limb1_P
+        )
         t45 = t1 * minus_limb5_S_balance_wy_by_limb1_P
         t46 = 1.0 / limb4_P_weights  # limb4
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
-        t47 = 2.6179938779914944 - limb4_U_q_1  # limb4
+        t47 = limb_lower_phase_2 - limb4_U_q_1  # limb4
         limb4_lower_cos = np.cos(t47)
-        limb4_S_arm_y = 0.8 * limb4_lower_cos
+        limb4_S_arm_y = param_R * limb4_lower_cos
         limb1_U2_part_mn_by_limb4_P = minus_limb4_U_0_cos * limb4_S_arm_y * t43
         minus_limb5_S_balance_wy_by_limb4_P = limb1_U2_part_mn_by_limb4_P * t40
         t48 = t46 * minus_limb5_S_balance_wy_by_limb4_P
         limb4_U_0_sin = np.cos(limb4_U_q_0)
         platform_joint_force_mx_by_limb4_P = limb4_U_0_sin * limb4_S_arm_y
         platform_joint_force_mx_by_limb1_U2_mn = limb1_lower_sin * t22 - limb1_lower_cos * t25
-        limb5_S_balance_wx_by_limb4_P = platform_joint_force_mx_by_limb4_P + platform_joint_force_mx_by_limb1_U2_mn * limb1_U2_part_mn_by_limb4_P
+        limb5_S_balance_wx_by_limb4_P = (
+            platform_joint_force_mx_by_limb4_P + platform_joint_force_mx_by_limb1_U2_mn *
+            limb1_U2_part_mn_by_limb4_P
+        )
         t52 = t48 * limb5_S_balance_wx_by_limb4_P
         t53 = 1.0 / limb3_P_weights  # limb3
         limb3_U_0_cos = np.cos(limb3_U_q_0)
-        t54 = 0.5235987755982989 - limb3_U_q_1  # limb3
+        t54 = limb_lower_phase - limb3_U_q_1  # limb3
         limb3_lower_cos = np.cos(t54)
-        limb3_S_arm_y = 0.8 * limb3_lower_cos
+        limb3_S_arm_y = param_R * limb3_lower_cos
         platform_joint_force_my_by_limb3_P = limb3_U_0_cos * limb3_S_arm_y
         limb3_U_0_sin = np.sin(limb3_U_q_0)
         minus_limb1_U2_part_mn_by_limb3_P = limb3_U_0_sin * limb3_S_arm_y * t43
         limb5_S_balance_wy_by_limb3_P = platform_joint_force_my_by_limb3_P + t40 * minus_limb1_U2_part_mn_by_limb3_P
         t56 = t53 * limb5_S_balance_wy_by_limb3_P
-        minus_limb5_S_balance_wx_by_limb3_P = platform_joint_force_mx_by_limb1_U2_mn * minus_limb1_U2_part_mn_by_limb3_P
+        minus_limb5_S_balance_wx_by_limb3_P = (
+            platform_joint_force_mx_by_limb1_U2_mn * minus_limb1_U2_part_mn_by_limb3_P
+        )
         t57 = t56 * minus_limb5_S_balance_wx_by_limb3_P
         t58 = 1.0 / limb2_P_weights  # limb2
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
-        t59 = 2.6179938779914944 + limb2_U_q_1  # limb2
+        t59 = limb_lower_phase_2 + limb2_U_q_1  # limb2
         limb2_lower_cos = np.cos(t59)
-        minus_limb2_S_arm_y = 0.8 * limb2_lower_cos
+        minus_limb2_S_arm_y = param_R * limb2_lower_cos
         minus_limb1_U2_part_mn_by_limb2_P = minus_limb2_U_0_cos * minus_limb2_S_arm_y * t43
         limb5_S_balance_wy_by_limb2_P = t40 * minus_limb1_U2_part_mn_by_limb2_P
         t60 = t58 * limb5_S_balance_wy_by_limb2_P
         limb2_U_0_sin = np.cos(limb2_U_q_0)
         minus_platform_joint_force_mx_by_limb2_P = limb2_U_0_sin * minus_limb2_S_arm_y
-        minus_limb5_S_balance_wx_by_limb2_P = minus_platform_joint_force_mx_by_limb2_P + platform_joint_force_mx_by_limb1_U2_mn * minus_limb1_U2_part_mn_by_limb2_P
+        minus_limb5_S_balance_wx_by_limb2_P = (
+            minus_platform_joint_force_mx_by_limb2_P + platform_joint_force_mx_by_limb1_U2_mn *
+            minus_limb1_U2_part_mn_by_limb2_P
+        )
         t62 = t60 * minus_limb5_S_balance_wx_by_limb2_P
         limb5_S_balance_wx_by_limb1_P = platform_joint_force_mx_by_limb1_U2_mn * limb1_U2_part_mn_by_limb1_P
         minus_drives_share_1_0 = t52 + (t57 + (t62 + t45 * limb5_S_balance_wx_by_limb1_P))
@@ -6493,36 +7134,45 @@ def inverse_dynamics_preload(*arguments):
         t68 = limb2_P_preload * minus_limb5_S_balance_wx_by_limb2_P
         t72 = t66 - (t67 + (t68 - limb1_P_preload * limb5_S_balance_wx_by_limb1_P))
         # limb4: geometry; balance, eqs. (40)-(47); accelerations
-        limb4_upper_offset_x = 0.3 + limb4_P_q
+        limb4_upper_offset_x = limb_upper_phase + limb4_P_q
         minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x
         t73 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz
         minus_limb4_lower_sin = np.sin(t47)
         limb4_lower_omega_y = limb4_U_v_0 * limb4_lower_cos
-        t74 = minus_limb4_lower_sin * (0.0712 * (limb4_U_v_1 * limb4_lower_omega_y))
+        t74 = minus_limb4_lower_sin * (k10 * (limb4_U_v_1 * limb4_lower_omega_y))
         t76 = limb4_P_v * (2.0 * limb4_lower_omega_y)
         minus_limb4_lower_omega_x = limb4_U_v_0 * minus_limb4_lower_sin
         limb4_lower_alpha_still_y = limb4_U_v_1 * minus_limb4_lower_omega_x
         limb4_lower_alpha_y = limb4_lower_alpha_still_y + limb4_U_a_0 * limb4_lower_cos
         minus_limb4_lower_U_zx = limb4_lower_alpha_still_y + limb4_lower_alpha_y
-        minus_limb4_upper_acc_z = t76 + (limb4_upper_offset_x * minus_limb4_lower_U_zx + 9.81 * minus_limb4_U_0_cos)
-        minus_limb4_upper_rate_my = 0.213 * minus_limb4_upper_acc_z
-        # limb4: balance, eqs. (40)-(47); momentum rate, eq. (35); reciprocal wrenches, eq. (10)
-        t80 = minus_limb4_upper_rate_my - limb4_upper_offset_x * (1.42 * minus_limb4_upper_acc_z - 0.213 * minus_limb4_lower_U_zx)
-        minus_limb4_upper_moment_y = 2.08953 * minus_limb4_U_0_cos
-        limb4_lower_rate_my = minus_limb4_upper_moment_y + (2.3439 * limb4_lower_alpha_still_y + 2.2727 * limb4_lower_alpha_y)
-        limb4_S_multiplier_fz = t73 * (t74 + limb4_lower_cos * (t80 - limb4_lower_rate_my) - 0.1112 * limb4_U_a_0)
+        minus_limb4_upper_acc_z = (
+            t76 + (limb4_upper_offset_x * minus_limb4_lower_U_zx + gravity_z * minus_limb4_U_0_cos)
+        )
+        minus_limb4_upper_rate_my = limb_lower_mx * minus_limb4_upper_acc_z
+        # limb4: balance, eqs. (40)-(47); reciprocal wrenches, eq. (10)
+        t79 = (
+            limb4_upper_offset_x * (limb_lower_m * minus_limb4_upper_acc_z - limb_lower_mx * minus_limb4_lower_U_zx)
+        )
+        t80 = minus_limb4_upper_rate_my - t79
+        minus_limb4_upper_moment_y = gravity_z_limb_lower_mx * minus_limb4_U_0_cos
+        minus_limb4_lower_moment_y = (
+            t80 - (minus_limb4_upper_moment_y + (k9 * limb4_lower_alpha_still_y + k8 * limb4_lower_alpha_y))
+        )
+        limb4_S_multiplier_fz = t73 * (t74 + limb4_lower_cos * minus_limb4_lower_moment_y - k3 * limb4_U_a_0)
         t85 = limb4_S_arm_y * limb4_S_multiplier_fz
         t86 = limb4_lower_cos * t85
-        limb4_S_arm_x = limb4_upper_offset_x - 0.8 * minus_limb4_lower_sin
+        limb4_S_arm_x = limb4_upper_offset_x - param_R * minus_limb4_lower_sin
         t88 = limb4_S_arm_x * limb4_S_multiplier_fz
         t90 = t86 - minus_limb4_lower_sin * t88
         t91 = limb4_U_0_sin * t90
         # limb4: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
         minus_limb4_lower_U_still_xx = limb4_lower_omega_y * limb4_lower_omega_y + limb4_U_v_1 * limb4_U_v_1
-        minus_limb4_lower_rate_fx = 0.213 * minus_limb4_lower_U_still_xx
+        minus_limb4_lower_rate_fx = limb_lower_mx * minus_limb4_lower_U_still_xx
         minus_limb4_upper_acc_still_x = limb4_upper_offset_x * minus_limb4_lower_U_still_xx
-        minus_limb4_U_0_acc_y = 9.81 * limb4_U_0_sin
-        limb4_lower_force_x = 1.42 * (limb4_P_a - (minus_limb4_upper_acc_still_x + limb4_lower_cos * minus_limb4_U_0_acc_y))
+        minus_limb4_U_0_acc_y = gravity_z * limb4_U_0_sin
+        limb4_lower_force_x = (
+            limb_lower_m * (limb4_P_a - (minus_limb4_upper_acc_still_x + limb4_lower_cos * minus_limb4_U_0_acc_y))
+        )
         t94 = limb4_S_arm_y * (minus_limb4_lower_rate_fx + limb4_lower_force_x)
         t96 = limb4_P_v * (2.0 * limb4_U_v_1)
         minus_limb4_lower_U_still_xy = minus_limb4_lower_omega_x * limb4_lower_omega_y
@@ -6530,83 +7180,110 @@ def inverse_dynamics_preload(*arguments):
         t97 = limb4_upper_offset_x * limb4_lower_U_yx
         minus_limb4_lower_acc_y = minus_limb4_lower_sin * minus_limb4_U_0_acc_y
         limb4_upper_acc_y = t96 + (t97 - minus_limb4_lower_acc_y)
-        minus_limb4_upper_rate_mz = 0.213 * limb4_upper_acc_y
-        t100 = minus_limb4_upper_rate_mz - limb4_upper_offset_x * (1.42 * limb4_upper_acc_y - 0.213 * limb4_lower_U_yx)
-        minus_limb4_lower_rate_mz = 0.213 * minus_limb4_lower_acc_y + (2.2727 * minus_limb4_lower_U_still_xy - 2.3439 * limb4_U_a_1)
+        minus_limb4_upper_rate_mz = limb_lower_mx * limb4_upper_acc_y
+        t100 = (
+            minus_limb4_upper_rate_mz - limb4_upper_offset_x * (limb_lower_m * limb4_upper_acc_y - limb_lower_mx *
+            limb4_lower_U_yx)
+        )
+        minus_limb4_lower_rate_mz = (
+            limb_lower_mx * minus_limb4_lower_acc_y + (k8 * minus_limb4_lower_U_still_xy - k9 * limb4_U_a_1)
+        )
         t106 = t94 + limb4_S_arm_x * ((t100 + minus_limb4_lower_rate_mz) * (limb4_lower_cos * t73))
         t108 = t91 - minus_limb4_U_0_cos * t106
         # limb3: geometry; balance, eqs. (40)-(47); accelerations
-        limb3_upper_offset_x = 0.3 + limb3_P_q
+        limb3_upper_offset_x = limb_upper_phase + limb3_P_q
         minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x
         t109 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
         minus_limb3_lower_sin = np.sin(t54)
         limb3_lower_omega_y = limb3_U_v_0 * limb3_lower_cos
-        t110 = minus_limb3_lower_sin * (0.0712 * (limb3_U_v_1 * limb3_lower_omega_y))
+        t110 = minus_limb3_lower_sin * (k10 * (limb3_U_v_1 * limb3_lower_omega_y))
         t112 = limb3_P_v * (2.0 * limb3_lower_omega_y)
         minus_limb3_lower_omega_x = limb3_U_v_0 * minus_limb3_lower_sin
         limb3_lower_alpha_still_y = limb3_U_v_1 * minus_limb3_lower_omega_x
         limb3_lower_alpha_y = limb3_lower_alpha_still_y + limb3_U_a_0 * limb3_lower_cos
         minus_limb3_lower_U_zx = limb3_lower_alpha_still_y + limb3_lower_alpha_y
-        minus_limb3_upper_acc_z = t112 + (limb3_upper_offset_x * minus_limb3_lower_U_zx - 9.81 * limb3_U_0_sin)
-        minus_limb3_upper_rate_my = 0.213 * minus_limb3_upper_acc_z
-        t116 = minus_limb3_upper_rate_my - limb3_upper_offset_x * (1.42 * minus_limb3_upper_acc_z - 0.213 * minus_limb3_lower_U_zx)
-        minus_limb3_lower_rate_my = 2.08953 * limb3_U_0_sin - (2.3439 * limb3_lower_alpha_still_y + 2.2727 * limb3_lower_alpha_y)
-        limb3_S_multiplier_fz = t109 * (t110 + limb3_lower_cos * (t116 + minus_limb3_lower_rate_my) - 0.1112 * limb3_U_a_0)
+        minus_limb3_upper_acc_z = t112 + (limb3_upper_offset_x * minus_limb3_lower_U_zx - gravity_z * limb3_U_0_sin)
+        minus_limb3_upper_rate_my = limb_lower_mx * minus_limb3_upper_acc_z
+        # limb3: balance, eqs. (40)-(47); reciprocal wrenches, eq. (10)
+        t115 = (
+            limb3_upper_offset_x * (limb_lower_m * minus_limb3_upper_acc_z - limb_lower_mx * minus_limb3_lower_U_zx)
+        )
+        t116 = minus_limb3_upper_rate_my - t115
+        limb3_upper_moment_y = gravity_z_limb_lower_mx * limb3_U_0_sin
+        t120 = (
+            limb3_lower_cos * (t116 + (limb3_upper_moment_y - (k9 * limb3_lower_alpha_still_y + k8 *
+            limb3_lower_alpha_y)))
+        )
+        limb3_S_multiplier_fz = t109 * (t110 + t120 - k3 * limb3_U_a_0)
         t121 = limb3_S_arm_y * limb3_S_multiplier_fz
         t122 = limb3_lower_cos * t121
-        limb3_S_arm_x = limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin
+        limb3_S_arm_x = limb3_upper_offset_x - param_R * minus_limb3_lower_sin
         t124 = limb3_S_arm_x * limb3_S_multiplier_fz
         t126 = t122 - minus_limb3_lower_sin * t124
         t127 = limb3_U_0_cos * t126
         # limb3: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
         minus_limb3_lower_U_still_xx = limb3_lower_omega_y * limb3_lower_omega_y + limb3_U_v_1 * limb3_U_v_1
-        minus_limb3_lower_rate_fx = 0.213 * minus_limb3_lower_U_still_xx
+        minus_limb3_lower_rate_fx = limb_lower_mx * minus_limb3_lower_U_still_xx
         minus_limb3_upper_acc_still_x = limb3_upper_offset_x * minus_limb3_lower_U_still_xx
-        limb3_U_0_acc_y = 9.81 * limb3_U_0_cos
-        limb3_upper_rate_fx = minus_limb3_lower_rate_fx + 1.42 * (limb3_P_a - (minus_limb3_upper_acc_still_x - limb3_lower_cos * limb3_U_0_acc_y))
-        t130 = limb3_S_arm_y * limb3_upper_rate_fx
+        limb3_U_0_acc_y = gravity_z * limb3_U_0_cos
+        limb3_lower_force_x = (
+            limb_lower_m * (limb3_P_a - (minus_limb3_upper_acc_still_x - limb3_lower_cos * limb3_U_0_acc_y))
+        )
+        t130 = limb3_S_arm_y * (minus_limb3_lower_rate_fx + limb3_lower_force_x)
         t132 = limb3_P_v * (2.0 * limb3_U_v_1)
         minus_limb3_lower_U_still_xy = minus_limb3_lower_omega_x * limb3_lower_omega_y
         limb3_lower_U_yx = limb3_U_a_1 - minus_limb3_lower_U_still_xy
         t133 = limb3_upper_offset_x * limb3_lower_U_yx
         limb3_lower_acc_y = minus_limb3_lower_sin * limb3_U_0_acc_y
         limb3_upper_acc_y = t132 + (t133 + limb3_lower_acc_y)
-        minus_limb3_upper_rate_mz = 0.213 * limb3_upper_acc_y
-        t136 = minus_limb3_upper_rate_mz - limb3_upper_offset_x * (1.42 * limb3_upper_acc_y - 0.213 * limb3_lower_U_yx)
-        minus_limb3_lower_moment_z = t136 - (0.213 * limb3_lower_acc_y - (2.2727 * minus_limb3_lower_U_still_xy - 2.3439 * limb3_U_a_1))
+        minus_limb3_upper_rate_mz = limb_lower_mx * limb3_upper_acc_y
+        t136 = (
+            minus_limb3_upper_rate_mz - limb3_upper_offset_x * (limb_lower_m * limb3_upper_acc_y - limb_lower_mx *
+            limb3_lower_U_yx)
+        )
+        minus_limb3_lower_moment_z = (
+            t136 - (limb_lower_mx * limb3_lower_acc_y - (k8 * minus_limb3_lower_U_still_xy - k9 * limb3_U_a_1))
+        )
         t142 = t130 + limb3_S_arm_x * (minus_limb3_lower_moment_z * (limb3_lower_cos * t109))
         t144 = t127 - limb3_U_0_sin * t142
         # limb2: geometry; balance, eqs. (40)-(47); accelerations
-        limb2_upper_offset_x = 0.3 + limb2_P_q
+        limb2_upper_offset_x = limb_upper_phase + limb2_P_q
         minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x
         t145 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
         limb2_lower_sin = np.sin(t59)
         limb2_lower_omega_y = limb2_U_v_0 * limb2_lower_cos
-        t146 = limb2_lower_sin * (0.0712 * (limb2_U_v_1 * limb2_lower_omega_y))
+        t146 = limb2_lower_sin * (k10 * (limb2_U_v_1 * limb2_lower_omega_y))
         t148 = limb2_P_v * (2.0 * limb2_lower_omega_y)
         limb2_lower_omega_x = limb2_U_v_0 * limb2_lower_sin
         minus_limb2_lower_alpha_still_y = limb2_U_v_1 * limb2_lower_omega_x
         minus_limb2_lower_alpha_y = minus_limb2_lower_alpha_still_y - limb2_U_a_0 * limb2_lower_cos
         limb2_lower_U_zx = minus_limb2_lower_alpha_still_y + minus_limb2_lower_alpha_y
-        minus_limb2_upper_acc_z = t148 - (limb2_upper_offset_x * limb2_lower_U_zx - 9.81 * minus_limb2_U_0_cos)
-        minus_limb2_upper_rate_my = 0.213 * minus_limb2_upper_acc_z
+        minus_limb2_upper_acc_z = t148 - (limb2_upper_offset_x * limb2_lower_U_zx - gravity_z * minus_limb2_U_0_cos)
+        minus_limb2_upper_rate_my = limb_lower_mx * minus_limb2_upper_acc_z
         # limb2: balance, eqs. (40)-(47); momentum rate, eq. (35); reciprocal wrenches, eq. (10)
-        t152 = minus_limb2_upper_rate_my - limb2_upper_offset_x * (1.42 * minus_limb2_upper_acc_z + 0.213 * limb2_lower_U_zx)
-        minus_limb2_upper_moment_y = 2.08953 * minus_limb2_U_0_cos
-        limb2_lower_rate_my = minus_limb2_upper_moment_y - (2.3439 * minus_limb2_lower_alpha_still_y + 2.2727 * minus_limb2_lower_alpha_y)
-        minus_limb2_S_multiplier_fz = t145 * (t146 - limb2_lower_cos * (t152 - limb2_lower_rate_my) + 0.1112 * limb2_U_a_0)
+        t151 = limb2_upper_offset_x * (limb_lower_m * minus_limb2_upper_acc_z + limb_lower_mx * limb2_lower_U_zx)
+        t152 = minus_limb2_upper_rate_my - t151
+        minus_limb2_upper_moment_y = gravity_z_limb_lower_mx * minus_limb2_U_0_cos
+        limb2_lower_rate_my = (
+            minus_limb2_upper_moment_y - (k9 * minus_limb2_lower_alpha_still_y + k8 * minus_limb2_lower_alpha_y)
+        )
+        minus_limb2_S_multiplier_fz = (
+            t145 * (t146 - limb2_lower_cos * (t152 - limb2_lower_rate_my) + k3 * limb2_U_a_0)
+        )
         t157 = minus_limb2_S_arm_y * minus_limb2_S_multiplier_fz
         t158 = limb2_lower_cos * t157
-        limb2_S_arm_x = limb2_upper_offset_x - 0.8 * limb2_lower_sin
+        limb2_S_arm_x = limb2_upper_offset_x - param_R * limb2_lower_sin
         t160 = limb2_S_arm_x * minus_limb2_S_multiplier_fz
         t162 = t158 - limb2_lower_sin * t160
         t163 = limb2_U_0_sin * t162
         # limb2: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
         minus_limb2_lower_U_still_xx = limb2_lower_omega_y * limb2_lower_omega_y + limb2_U_v_1 * limb2_U_v_1
-        minus_limb2_lower_rate_fx = 0.213 * minus_limb2_lower_U_still_xx
+        minus_limb2_lower_rate_fx = limb_lower_mx * minus_limb2_lower_U_still_xx
         minus_limb2_upper_acc_still_x = limb2_upper_offset_x * minus_limb2_lower_U_still_xx
-        minus_limb2_U_0_acc_y = 9.81 * limb2_U_0_sin
-        limb2_lower_force_x = 1.42 * (limb2_P_a - (minus_limb2_upper_acc_still_x + limb2_lower_cos * minus_limb2_U_0_acc_y))
+        minus_limb2_U_0_acc_y = gravity_z * limb2_U_0_sin
+        limb2_lower_force_x = (
+            limb_lower_m * (limb2_P_a - (minus_limb2_upper_acc_still_x + limb2_lower_cos * minus_limb2_U_0_acc_y))
+        )
         t166 = minus_limb2_S_arm_y * (minus_limb2_lower_rate_fx + limb2_lower_force_x)
         t168 = limb2_P_v * (2.0 * limb2_U_v_1)
         limb2_lower_U_still_xy = limb2_lower_omega_x * limb2_lower_omega_y
@@ -6614,39 +7291,51 @@ def inverse_dynamics_preload(*arguments):
         t169 = limb2_upper_offset_x * limb2_lower_U_yx
         limb2_lower_acc_y = limb2_lower_sin * minus_limb2_U_0_acc_y
         limb2_upper_acc_y = t168 + (t169 + limb2_lower_acc_y)
-        minus_limb2_upper_rate_mz = 0.213 * limb2_upper_acc_y
-        t172 = minus_limb2_upper_rate_mz - limb2_upper_offset_x * (1.42 * limb2_upper_acc_y - 0.213 * limb2_lower_U_yx)
-        minus_limb2_lower_moment_z = t172 - (0.213 * limb2_lower_acc_y + (2.2727 * limb2_lower_U_still_xy + 2.3439 * limb2_U_a_1))
+        minus_limb2_upper_rate_mz = limb_lower_mx * limb2_upper_acc_y
+        t172 = (
+            minus_limb2_upper_rate_mz - limb2_upper_offset_x * (limb_lower_m * limb2_upper_acc_y - limb_lower_mx *
+            limb2_lower_U_yx)
+        )
+        minus_limb2_lower_moment_z = (
+            t172 - (limb_lower_mx * limb2_lower_acc_y + (k8 * limb2_lower_U_still_xy + k9 * limb2_U_a_1))
+        )
         t178 = t166 - limb2_S_arm_x * (minus_limb2_lower_moment_z * (limb2_lower_cos * t145))
         t180 = t163 + minus_limb2_U_0_cos * t178
         # platform: geometry; balance, eqs. (40)-(47); momentum rate, eq. (35)
         t181 = limb5_S_q_qx * t15
         t182 = limb5_S_q_qw * t33
         platform_turn_zx = t181 - t182
-        minus_platform_moment_x = 14.62961126155784 * platform_turn_zy
-        minus_platform_rate_mx = minus_platform_moment_x - (22.6251 * (limb5_S_v_wy * limb5_S_v_wz) + 69.4749 * limb5_S_a_wx)
+        minus_platform_moment_x = gravity_z_platform_mz * platform_turn_zy
+        minus_platform_rate_mx = (
+            minus_platform_moment_x - (k12 * (limb5_S_v_wy * limb5_S_v_wz) + k13 * limb5_S_a_wx)
+        )
         t186 = platform_turn_zx * minus_platform_rate_mx
-        platform_moment_y = 14.62961126155784 * platform_turn_zx
-        platform_rate_my = platform_moment_y - (22.6251 * (limb5_S_v_wx * limb5_S_v_wz) - 69.4749 * limb5_S_a_wy)
+        platform_moment_y = gravity_z_platform_mz * platform_turn_zx
+        platform_rate_my = platform_moment_y - (k12 * (limb5_S_v_wx * limb5_S_v_wz) - k13 * limb5_S_a_wy)
         t191 = t186 - platform_turn_zy * platform_rate_my
         platform_turn_zz = 1.0 - t11 * (t4 + t6)
-        platform_rate_mz = 92.1 * limb5_S_a_wz
+        platform_rate_mz = platform_Izz * limb5_S_a_wz
         t195 = t191 - platform_turn_zz * platform_rate_mz
         # limb1: velocities, eq. (6); balance, eqs. (40)-(47); accelerations
         limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos
-        t196 = limb1_lower_sin * (0.0712 * (limb1_U_v_1 * limb1_lower_omega_y))
+        t196 = limb1_lower_sin * (k10 * (limb1_U_v_1 * limb1_lower_omega_y))
         t198 = limb1_P_v * (2.0 * limb1_lower_omega_y)
         limb1_lower_omega_x = limb1_U_v_0 * limb1_lower_sin
         minus_limb1_lower_alpha_still_y = limb1_U_v_1 * limb1_lower_omega_x
         minus_limb1_lower_alpha_y = minus_limb1_lower_alpha_still_y - limb1_U_a_0 * limb1_lower_cos
         limb1_lower_U_zx = minus_limb1_lower_alpha_still_y + minus_limb1_lower_alpha_y
-        minus_limb1_upper_acc_z = t198 - (limb1_upper_offset_x * limb1_lower_U_zx + 9.81 * limb1_U_0_sin)
-        minus_limb1_upper_rate_my = 0.213 * minus_limb1_upper_acc_z
+        minus_limb1_upper_acc_z = t198 - (limb1_upper_offset_x * limb1_lower_U_zx + gravity_z * limb1_U_0_sin)
+        minus_limb1_upper_rate_my = limb_lower_mx * minus_limb1_upper_acc_z
         # limb1: balance, eqs. (40)-(47); momentum rate, eq. (35)
-        t202 = minus_limb1_upper_rate_my - limb1_upper_offset_x * (1.42 * minus_limb1_upper_acc_z + 0.213 * limb1_lower_U_zx)
-        limb1_upper_moment_y = 2.08953 * limb1_U_0_sin
-        minus_limb1_lower_rate_my = limb1_upper_moment_y + (2.3439 * minus_limb1_lower_alpha_still_y + 2.2727 * minus_limb1_lower_alpha_y)
-        minus_limb1_U2_part_fz = t20 * (t196 - limb1_lower_cos * (t202 + minus_limb1_lower_rate_my) + 0.1112 * limb1_U_a_0)
+        t201 = limb1_upper_offset_x * (limb_lower_m * minus_limb1_upper_acc_z + limb_lower_mx * limb1_lower_U_zx)
+        t202 = minus_limb1_upper_rate_my - t201
+        limb1_upper_moment_y = gravity_z_limb_lower_mx * limb1_U_0_sin
+        minus_limb1_lower_rate_my = (
+            limb1_upper_moment_y + (k9 * minus_limb1_lower_alpha_still_y + k8 * minus_limb1_lower_alpha_y)
+        )
+        minus_limb1_U2_part_fz = (
+            t20 * (t196 - limb1_lower_cos * (t202 + minus_limb1_lower_rate_my) + k3 * limb1_U_a_0)
+        )
         t207 = minus_limb1_U2_arm_y * minus_limb1_U2_part_fz
         t208 = limb1_lower_cos * t207
         t209 = limb1_U2_arm_x * minus_limb1_U2_part_fz
@@ -6654,20 +7343,27 @@ def inverse_dynamics_preload(*arguments):
         t212 = limb1_U_0_cos * t211
         # limb1: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
         minus_limb1_lower_U_still_xx = limb1_lower_omega_y * limb1_lower_omega_y + limb1_U_v_1 * limb1_U_v_1
-        minus_limb1_lower_rate_fx = 0.213 * minus_limb1_lower_U_still_xx
+        minus_limb1_lower_rate_fx = limb_lower_mx * minus_limb1_lower_U_still_xx
         minus_limb1_upper_acc_still_x = limb1_upper_offset_x * minus_limb1_lower_U_still_xx
-        limb1_U_0_acc_y = 9.81 * limb1_U_0_cos
-        limb1_upper_rate_fx = minus_limb1_lower_rate_fx + 1.42 * (limb1_P_a - (minus_limb1_upper_acc_still_x - limb1_lower_cos * limb1_U_0_acc_y))
-        t215 = minus_limb1_U2_arm_y * limb1_upper_rate_fx
+        limb1_U_0_acc_y = gravity_z * limb1_U_0_cos
+        limb1_lower_force_x = (
+            limb_lower_m * (limb1_P_a - (minus_limb1_upper_acc_still_x - limb1_lower_cos * limb1_U_0_acc_y))
+        )
+        t215 = minus_limb1_U2_arm_y * (minus_limb1_lower_rate_fx + limb1_lower_force_x)
         t217 = limb1_P_v * (2.0 * limb1_U_v_1)
         limb1_lower_U_still_xy = limb1_lower_omega_x * limb1_lower_omega_y
         limb1_lower_U_yx = limb1_U_a_1 + limb1_lower_U_still_xy
         t218 = limb1_upper_offset_x * limb1_lower_U_yx
         minus_limb1_lower_acc_y = limb1_lower_sin * limb1_U_0_acc_y
         limb1_upper_acc_y = t217 + (t218 - minus_limb1_lower_acc_y)
-        minus_limb1_upper_rate_mz = 0.213 * limb1_upper_acc_y
-        t221 = minus_limb1_upper_rate_mz - limb1_upper_offset_x * (1.42 * limb1_upper_acc_y - 0.213 * limb1_lower_U_yx)
-        minus_limb1_lower_moment_z = t221 + (0.213 * minus_limb1_lower_acc_y - (2.2727 * limb1_lower_U_still_xy + 2.3439 * limb1_U_a_1))
+        minus_limb1_upper_rate_mz = limb_lower_mx * limb1_upper_acc_y
+        t221 = (
+            minus_limb1_upper_rate_mz - limb1_upper_offset_x * (limb_lower_m * limb1_upper_acc_y - limb_lower_mx *
+            limb1_lower_U_yx)
+        )
+        minus_limb1_lower_moment_z = (
+            t221 + (limb_lower_mx * minus_limb1_lower_acc_y - (k8 * limb1_lower_U_still_xy + k9 * limb1_U_a_1))
+        )
         t226 = t215 - limb1_U2_arm_x * (minus_limb1_lower_moment_z * t37)
         # platform: balance, eqs. (40)-(47)
         minus_platform_joint_force_mz = t108 - (t144 - (t180 + (t195 - (t212 + limb1_U_0_sin * t226))))
@@ -6706,7 +7402,9 @@ def inverse_dynamics_preload(*arguments):
         t297 = minus_drives_share_1_0 * minus_drives_share_1_0
         t298 = minus_limb5_S_balance_wy_by_limb4_P * t48
         t299 = limb5_S_balance_wy_by_limb3_P * t56
-        drives_share_1_1 = t298 + (t299 + (limb5_S_balance_wy_by_limb2_P * t60 + minus_limb5_S_balance_wy_by_limb1_P * t45))
+        drives_share_1_1 = (
+            t298 + (t299 + (limb5_S_balance_wy_by_limb2_P * t60 + minus_limb5_S_balance_wy_by_limb1_P * t45))
+        )
         minus_determinant = t297 - drives_share_1_1 * drives_share_0_0
         t305 = 1.0 / minus_determinant
         t306 = t296 * t305
@@ -6716,19 +7414,31 @@ def inverse_dynamics_preload(*arguments):
         limb2_P_drive = limb2_P_preload + (t60 * t306 + t260 * t311)
         limb3_P_drive = limb3_P_preload + (t56 * t306 + t258 * t311)
         limb4_P_drive = limb4_P_preload - (t48 * t306 + t256 * t311)
+        guards = (  # status 1 where a pivot is smaller than its limit:
+            (minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.3211e-10),  # where the reciprocal wrench limb2_S.fz has no
+            # power along limb2_U.0, as in a stretched limb
+            (minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.4044e-10),  # where the reciprocal wrench limb3_S.fz has no
+            # power along limb3_U.0, as in a stretched limb
+            (minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.284e-10),  # where the reciprocal wrench limb4_S.fz has no
+            # power along limb4_U.0, as in a stretched limb
+            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.233100000000001e-10),  # where the reciprocal wrench
+            # limb1_U2.fz has no power along limb1_U.0, as in a stretched limb
+            (platform_joint_force_mz_by_limb1_U2_mn, 4.0171000000000005e-10),  # where limb1_U2.mn cannot balance
+            # platform.moment_z
+            (minus_determinant, 2.393867125597279e-10),  # where equations that are solved at once lose rank, as
+            # drives do at a singularity
+            (limb1_P_weights, 0.0),  # where weights limb1_P vanishes
+            (limb2_P_weights, 0.0),  # where weights limb2_P vanishes
+            (limb3_P_weights, 0.0),  # where weights limb3_P vanishes
+            (limb4_P_weights, 0.0),  # where weights limb4_P vanishes
+        )
         return _finish(batch, ((limb1_P_drive, limb2_P_drive, limb3_P_drive, limb4_P_drive),),
-            ((minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.3211e-10),
-            (minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.4044e-10),
-            (minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.284e-10),
-            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.233100000000001e-10),
-            (platform_joint_force_mz_by_limb1_U2_mn, 4.0171000000000005e-10), (minus_determinant,
-            2.393867125597279e-10), (limb1_P_weights, 0.0), (limb2_P_weights, 0.0),
-            (limb3_P_weights, 0.0), (limb4_P_weights, 0.0)),
-            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, platform_joint_force_mz_by_limb1_U2_mn,
-            minus_limb4_U_0_lever_mz_by_limb4_S_fz, minus_limb3_U_0_lever_mz_by_limb3_S_fz,
-            minus_limb2_U_0_lever_mz_by_limb2_S_fz, minus_determinant, limb1_P_drive, limb2_P_drive,
-            limb3_P_drive, limb4_P_drive, limb1_P_weights, limb2_P_weights, limb3_P_weights,
-            limb4_P_weights), ((t9, 0.999999, 1.000001, 5),))
+            guards, (minus_limb1_U_0_lever_mz_by_limb1_U2_fz,
+            platform_joint_force_mz_by_limb1_U2_mn, minus_limb4_U_0_lever_mz_by_limb4_S_fz,
+            minus_limb3_U_0_lever_mz_by_limb3_S_fz, minus_limb2_U_0_lever_mz_by_limb2_S_fz,
+            minus_determinant, limb1_P_drive, limb2_P_drive, limb3_P_drive, limb4_P_drive,
+            limb1_P_weights, limb2_P_weights, limb3_P_weights, limb4_P_weights), ((t9, 0.999999,
+            1.000001, 5),))
 
 
 def joint_reactions(*arguments):
@@ -6796,9 +7506,9 @@ def joint_reactions(*arguments):
     with np.errstate(all="ignore"):
         # limb1: geometry; reciprocal wrenches, eq. (10)
         limb1_U_0_cos = np.cos(limb1_U_q_0)
-        t1 = 0.5235987755982989 + limb1_U_q_1
+        t1 = limb_lower_phase + limb1_U_q_1
         limb1_lower_cos = np.cos(t1)
-        minus_limb1_U2_arm_y = 0.8 * limb1_lower_cos
+        minus_limb1_U2_arm_y = param_R * limb1_lower_cos
         # platform: balance, eqs. (40)-(47)
         minus_platform_joint_force_my_by_limb1_P = limb1_U_0_cos * minus_limb1_U2_arm_y
         limb1_U_0_sin = np.sin(limb1_U_q_0)
@@ -6821,13 +7531,13 @@ def joint_reactions(*arguments):
         limb1_U2_constraint_mn_couple_x = t13 + limb1_U_0_sin * platform_turn_zy
         limb1_lower_sin = np.sin(t1)
         limb1_U_0_lever_mz_by_limb1_U2_mn = limb1_lower_sin * limb1_U2_constraint_mn_couple_x
-        limb1_upper_offset_x = 0.3 + limb1_P_q
+        limb1_upper_offset_x = limb_upper_phase + limb1_P_q
         minus_limb1_U_0_lever_mz_by_limb1_U2_fz = limb1_lower_cos * limb1_upper_offset_x
         t19 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz
         minus_limb1_U_factor_0_by_3 = limb1_U_0_lever_mz_by_limb1_U2_mn * t19
         t21 = limb1_U2_constraint_mn_couple_x - minus_limb1_U2_arm_y * minus_limb1_U_factor_0_by_3
         t22 = limb1_lower_cos * t21
-        limb1_U2_arm_x = limb1_upper_offset_x - 0.8 * limb1_lower_sin
+        limb1_U2_arm_x = limb1_upper_offset_x - param_R * limb1_lower_sin
         t24 = limb1_U2_arm_x * minus_limb1_U_factor_0_by_3
         t26 = t22 + limb1_lower_sin * t24
         t27 = limb1_U_0_sin * t26
@@ -6846,76 +7556,95 @@ def joint_reactions(*arguments):
         platform_joint_force_mz_by_limb1_U2_mn = limb1_U_0_cos * t26 + limb1_U_0_sin * minus_limb1_U2_factor_0_by_3
         t42 = 1.0 / platform_joint_force_mz_by_limb1_U2_mn
         limb1_U2_part_mn_by_limb1_P = minus_platform_joint_force_mz_by_limb1_P * t42
-        minus_limb5_S_balance_wy_by_limb1_P = minus_platform_joint_force_my_by_limb1_P + t39 * limb1_U2_part_mn_by_limb1_P
+        minus_limb5_S_balance_wy_by_limb1_P = (
+            minus_platform_joint_force_my_by_limb1_P + t39 * limb1_U2_part_mn_by_limb1_P
+        )
         limb4_U_0_sin = np.cos(limb4_U_q_0)
-        t44 = 2.6179938779914944 - limb4_U_q_1  # limb4
+        t44 = limb_lower_phase_2 - limb4_U_q_1  # limb4
         limb4_lower_cos = np.cos(t44)
-        limb4_S_arm_y = 0.8 * limb4_lower_cos
+        limb4_S_arm_y = param_R * limb4_lower_cos
         platform_joint_force_mx_by_limb4_P = limb4_U_0_sin * limb4_S_arm_y
         platform_joint_force_mx_by_limb1_U2_mn = limb1_lower_sin * t21 - limb1_lower_cos * t24
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
         limb1_U2_part_mn_by_limb4_P = minus_limb4_U_0_cos * limb4_S_arm_y * t42
-        limb5_S_balance_wx_by_limb4_P = platform_joint_force_mx_by_limb4_P + platform_joint_force_mx_by_limb1_U2_mn * limb1_U2_part_mn_by_limb4_P
+        limb5_S_balance_wx_by_limb4_P = (
+            platform_joint_force_mx_by_limb4_P + platform_joint_force_mx_by_limb1_U2_mn *
+            limb1_U2_part_mn_by_limb4_P
+        )
         minus_limb5_S_balance_wy_by_limb4_P = limb1_U2_part_mn_by_limb4_P * t39
         t48 = limb5_S_balance_wx_by_limb4_P * minus_limb5_S_balance_wy_by_limb4_P
         limb3_U_0_cos = np.cos(limb3_U_q_0)
-        t49 = 0.5235987755982989 - limb3_U_q_1  # limb3
+        t49 = limb_lower_phase - limb3_U_q_1  # limb3
         limb3_lower_cos = np.cos(t49)
-        limb3_S_arm_y = 0.8 * limb3_lower_cos
+        limb3_S_arm_y = param_R * limb3_lower_cos
         platform_joint_force_my_by_limb3_P = limb3_U_0_cos * limb3_S_arm_y
         limb3_U_0_sin = np.sin(limb3_U_q_0)
         minus_limb1_U2_part_mn_by_limb3_P = limb3_U_0_sin * limb3_S_arm_y * t42
         limb5_S_balance_wy_by_limb3_P = platform_joint_force_my_by_limb3_P + t39 * minus_limb1_U2_part_mn_by_limb3_P
-        minus_limb5_S_balance_wx_by_limb3_P = platform_joint_force_mx_by_limb1_U2_mn * minus_limb1_U2_part_mn_by_limb3_P
+        minus_limb5_S_balance_wx_by_limb3_P = (
+            platform_joint_force_mx_by_limb1_U2_mn * minus_limb1_U2_part_mn_by_limb3_P
+        )
         t51 = limb5_S_balance_wy_by_limb3_P * minus_limb5_S_balance_wx_by_limb3_P
         limb2_U_0_sin = np.cos(limb2_U_q_0)
-        t52 = 2.6179938779914944 + limb2_U_q_1  # limb2
+        t52 = limb_lower_phase_2 + limb2_U_q_1  # limb2
         limb2_lower_cos = np.cos(t52)
-        minus_limb2_S_arm_y = 0.8 * limb2_lower_cos
+        minus_limb2_S_arm_y = param_R * limb2_lower_cos
         minus_platform_joint_force_mx_by_limb2_P = limb2_U_0_sin * minus_limb2_S_arm_y
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
         minus_limb1_U2_part_mn_by_limb2_P = minus_limb2_U_0_cos * minus_limb2_S_arm_y * t42
-        minus_limb5_S_balance_wx_by_limb2_P = minus_platform_joint_force_mx_by_limb2_P + platform_joint_force_mx_by_limb1_U2_mn * minus_limb1_U2_part_mn_by_limb2_P
+        minus_limb5_S_balance_wx_by_limb2_P = (
+            minus_platform_joint_force_mx_by_limb2_P + platform_joint_force_mx_by_limb1_U2_mn *
+            minus_limb1_U2_part_mn_by_limb2_P
+        )
         limb5_S_balance_wy_by_limb2_P = t39 * minus_limb1_U2_part_mn_by_limb2_P
         t54 = minus_limb5_S_balance_wx_by_limb2_P * limb5_S_balance_wy_by_limb2_P
         limb5_S_balance_wx_by_limb1_P = platform_joint_force_mx_by_limb1_U2_mn * limb1_U2_part_mn_by_limb1_P
-        minus_drives_share_0_1 = t48 + (t51 + (t54 + minus_limb5_S_balance_wy_by_limb1_P * limb5_S_balance_wx_by_limb1_P))
+        minus_drives_share_0_1 = (
+            t48 + (t51 + (t54 + minus_limb5_S_balance_wy_by_limb1_P * limb5_S_balance_wx_by_limb1_P))
+        )
         # limb4: geometry; balance, eqs. (40)-(47); accelerations
-        limb4_upper_offset_x = 0.3 + limb4_P_q
+        limb4_upper_offset_x = limb_upper_phase + limb4_P_q
         minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x
         t58 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz
         minus_limb4_lower_sin = np.sin(t44)
         limb4_lower_omega_y = limb4_U_v_0 * limb4_lower_cos
         limb4_lower_alpha_still_x = limb4_U_v_1 * limb4_lower_omega_y
-        t59 = minus_limb4_lower_sin * (0.0712 * limb4_lower_alpha_still_x)
+        t59 = minus_limb4_lower_sin * (k10 * limb4_lower_alpha_still_x)
         t61 = limb4_P_v * (2.0 * limb4_lower_omega_y)
         minus_limb4_lower_omega_x = limb4_U_v_0 * minus_limb4_lower_sin
         limb4_lower_alpha_still_y = limb4_U_v_1 * minus_limb4_lower_omega_x
         limb4_lower_alpha_y = limb4_lower_alpha_still_y + limb4_U_a_0 * limb4_lower_cos
         minus_limb4_lower_U_zx = limb4_lower_alpha_still_y + limb4_lower_alpha_y
-        minus_limb4_upper_acc_z = t61 + (limb4_upper_offset_x * minus_limb4_lower_U_zx + 9.81 * minus_limb4_U_0_cos)
-        minus_limb4_upper_rate_my = 0.213 * minus_limb4_upper_acc_z
+        minus_limb4_upper_acc_z = (
+            t61 + (limb4_upper_offset_x * minus_limb4_lower_U_zx + gravity_z * minus_limb4_U_0_cos)
+        )
+        minus_limb4_upper_rate_my = limb_lower_mx * minus_limb4_upper_acc_z
         # limb4: balance, eqs. (40)-(47); momentum rate, eq. (35); reciprocal wrenches, eq. (10)
-        minus_limb4_lower_force_z = 1.42 * minus_limb4_upper_acc_z
-        minus_limb4_lower_rate_fz = 0.213 * minus_limb4_lower_U_zx
+        minus_limb4_lower_force_z = limb_lower_m * minus_limb4_upper_acc_z
+        minus_limb4_lower_rate_fz = limb_lower_mx * minus_limb4_lower_U_zx
         minus_limb4_upper_rate_fz = minus_limb4_lower_force_z - minus_limb4_lower_rate_fz
         t65 = minus_limb4_upper_rate_my - limb4_upper_offset_x * minus_limb4_upper_rate_fz
-        minus_limb4_upper_moment_y = 2.08953 * minus_limb4_U_0_cos
-        limb4_lower_rate_my = minus_limb4_upper_moment_y + (2.3439 * limb4_lower_alpha_still_y + 2.2727 * limb4_lower_alpha_y)
-        limb4_S_multiplier_fz = t58 * (t59 + limb4_lower_cos * (t65 - limb4_lower_rate_my) - 0.1112 * limb4_U_a_0)
+        minus_limb4_upper_moment_y = gravity_z_limb_lower_mx * minus_limb4_U_0_cos
+        minus_limb4_lower_moment_y = (
+            t65 - (minus_limb4_upper_moment_y + (k9 * limb4_lower_alpha_still_y + k8 * limb4_lower_alpha_y))
+        )
+        limb4_S_multiplier_fz = t58 * (t59 + limb4_lower_cos * minus_limb4_lower_moment_y - k3 * limb4_U_a_0)
         t70 = limb4_S_arm_y * limb4_S_multiplier_fz
         t71 = limb4_lower_cos * t70
-        limb4_S_arm_x = limb4_upper_offset_x - 0.8 * minus_limb4_lower_sin
+        limb4_S_arm_x = limb4_upper_offset_x - param_R * minus_limb4_lower_sin
         t73 = limb4_S_arm_x * limb4_S_multiplier_fz
         t75 = t71 - minus_limb4_lower_sin * t73
         t76 = limb4_U_0_sin * t75
         # limb4: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
         minus_limb4_lower_U_still_xx = limb4_lower_omega_y * limb4_lower_omega_y + limb4_U_v_1 * limb4_U_v_1
-        minus_limb4_lower_rate_fx = 0.213 * minus_limb4_lower_U_still_xx
+        minus_limb4_lower_rate_fx = limb_lower_mx * minus_limb4_lower_U_still_xx
         minus_limb4_upper_acc_still_x = limb4_upper_offset_x * minus_limb4_lower_U_still_xx
-        minus_limb4_U_0_acc_y = 9.81 * limb4_U_0_sin
+        minus_limb4_U_0_acc_y = gravity_z * limb4_U_0_sin
         minus_limb4_lower_acc_x = limb4_lower_cos * minus_limb4_U_0_acc_y
-        limb4_upper_rate_fx = minus_limb4_lower_rate_fx + 1.42 * (limb4_P_a - (minus_limb4_upper_acc_still_x + minus_limb4_lower_acc_x))
+        limb4_upper_rate_fx = (
+            minus_limb4_lower_rate_fx + limb_lower_m * (limb4_P_a - (minus_limb4_upper_acc_still_x +
+            minus_limb4_lower_acc_x))
+        )
         t79 = limb4_S_arm_y * limb4_upper_rate_fx
         t81 = limb4_P_v * (2.0 * limb4_U_v_1)
         minus_limb4_lower_U_still_xy = minus_limb4_lower_omega_x * limb4_lower_omega_y
@@ -6923,51 +7652,59 @@ def joint_reactions(*arguments):
         t82 = limb4_upper_offset_x * limb4_lower_U_yx
         minus_limb4_lower_acc_y = minus_limb4_lower_sin * minus_limb4_U_0_acc_y
         limb4_upper_acc_y = t81 + (t82 - minus_limb4_lower_acc_y)
-        minus_limb4_upper_rate_mz = 0.213 * limb4_upper_acc_y
-        limb4_lower_force_y = 1.42 * limb4_upper_acc_y
-        limb4_lower_rate_fy = 0.213 * limb4_lower_U_yx
+        minus_limb4_upper_rate_mz = limb_lower_mx * limb4_upper_acc_y
+        limb4_lower_force_y = limb_lower_m * limb4_upper_acc_y
+        limb4_lower_rate_fy = limb_lower_mx * limb4_lower_U_yx
         limb4_upper_rate_fy = limb4_lower_force_y - limb4_lower_rate_fy
         t85 = minus_limb4_upper_rate_mz - limb4_upper_offset_x * limb4_upper_rate_fy
-        minus_limb4_lower_rate_mz = 0.213 * minus_limb4_lower_acc_y + (2.2727 * minus_limb4_lower_U_still_xy - 2.3439 * limb4_U_a_1)
+        minus_limb4_lower_rate_mz = (
+            limb_lower_mx * minus_limb4_lower_acc_y + (k8 * minus_limb4_lower_U_still_xy - k9 * limb4_U_a_1)
+        )
         minus_limb4_S_multiplier_fy = (t85 + minus_limb4_lower_rate_mz) * (limb4_lower_cos * t58)
         t91 = t79 + limb4_S_arm_x * minus_limb4_S_multiplier_fy
         t93 = t76 - minus_limb4_U_0_cos * t91
         # limb3: geometry; balance, eqs. (40)-(47); accelerations
-        limb3_upper_offset_x = 0.3 + limb3_P_q
+        limb3_upper_offset_x = limb_upper_phase + limb3_P_q
         minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x
         t94 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
         minus_limb3_lower_sin = np.sin(t49)
         limb3_lower_omega_y = limb3_U_v_0 * limb3_lower_cos
         limb3_lower_alpha_still_x = limb3_U_v_1 * limb3_lower_omega_y
-        t95 = minus_limb3_lower_sin * (0.0712 * limb3_lower_alpha_still_x)
+        t95 = minus_limb3_lower_sin * (k10 * limb3_lower_alpha_still_x)
         t97 = limb3_P_v * (2.0 * limb3_lower_omega_y)
         minus_limb3_lower_omega_x = limb3_U_v_0 * minus_limb3_lower_sin
         limb3_lower_alpha_still_y = limb3_U_v_1 * minus_limb3_lower_omega_x
         limb3_lower_alpha_y = limb3_lower_alpha_still_y + limb3_U_a_0 * limb3_lower_cos
         minus_limb3_lower_U_zx = limb3_lower_alpha_still_y + limb3_lower_alpha_y
-        minus_limb3_upper_acc_z = t97 + (limb3_upper_offset_x * minus_limb3_lower_U_zx - 9.81 * limb3_U_0_sin)
-        minus_limb3_upper_rate_my = 0.213 * minus_limb3_upper_acc_z
+        minus_limb3_upper_acc_z = t97 + (limb3_upper_offset_x * minus_limb3_lower_U_zx - gravity_z * limb3_U_0_sin)
+        minus_limb3_upper_rate_my = limb_lower_mx * minus_limb3_upper_acc_z
         # limb3: balance, eqs. (40)-(47); momentum rate, eq. (35); reciprocal wrenches, eq. (10)
-        minus_limb3_lower_force_z = 1.42 * minus_limb3_upper_acc_z
-        minus_limb3_lower_rate_fz = 0.213 * minus_limb3_lower_U_zx
+        minus_limb3_lower_force_z = limb_lower_m * minus_limb3_upper_acc_z
+        minus_limb3_lower_rate_fz = limb_lower_mx * minus_limb3_lower_U_zx
         minus_limb3_upper_rate_fz = minus_limb3_lower_force_z - minus_limb3_lower_rate_fz
         t101 = minus_limb3_upper_rate_my - limb3_upper_offset_x * minus_limb3_upper_rate_fz
-        limb3_upper_moment_y = 2.08953 * limb3_U_0_sin
-        minus_limb3_lower_moment_y = t101 + (limb3_upper_moment_y - (2.3439 * limb3_lower_alpha_still_y + 2.2727 * limb3_lower_alpha_y))
-        limb3_S_multiplier_fz = t94 * (t95 + limb3_lower_cos * minus_limb3_lower_moment_y - 0.1112 * limb3_U_a_0)
+        limb3_upper_moment_y = gravity_z_limb_lower_mx * limb3_U_0_sin
+        t105 = (
+            limb3_lower_cos * (t101 + (limb3_upper_moment_y - (k9 * limb3_lower_alpha_still_y + k8 *
+            limb3_lower_alpha_y)))
+        )
+        limb3_S_multiplier_fz = t94 * (t95 + t105 - k3 * limb3_U_a_0)
         t106 = limb3_S_arm_y * limb3_S_multiplier_fz
         t107 = limb3_lower_cos * t106
-        limb3_S_arm_x = limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin
+        limb3_S_arm_x = limb3_upper_offset_x - param_R * minus_limb3_lower_sin
         t109 = limb3_S_arm_x * limb3_S_multiplier_fz
         t111 = t107 - minus_limb3_lower_sin * t109
         t112 = limb3_U_0_cos * t111
         # limb3: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
         minus_limb3_lower_U_still_xx = limb3_lower_omega_y * limb3_lower_omega_y + limb3_U_v_1 * limb3_U_v_1
-        minus_limb3_lower_rate_fx = 0.213 * minus_limb3_lower_U_still_xx
+        minus_limb3_lower_rate_fx = limb_lower_mx * minus_limb3_lower_U_still_xx
         minus_limb3_upper_acc_still_x = limb3_upper_offset_x * minus_limb3_lower_U_still_xx
-        limb3_U_0_acc_y = 9.81 * limb3_U_0_cos
+        limb3_U_0_acc_y = gravity_z * limb3_U_0_cos
         limb3_lower_acc_x = limb3_lower_cos * limb3_U_0_acc_y
-        limb3_upper_rate_fx = minus_limb3_lower_rate_fx + 1.42 * (limb3_P_a - (minus_limb3_upper_acc_still_x - limb3_lower_acc_x))
+        limb3_upper_rate_fx = (
+            minus_limb3_lower_rate_fx + limb_lower_m * (limb3_P_a - (minus_limb3_upper_acc_still_x -
+            limb3_lower_acc_x))
+        )
         t115 = limb3_S_arm_y * limb3_upper_rate_fx
         t117 = limb3_P_v * (2.0 * limb3_U_v_1)
         minus_limb3_lower_U_still_xy = minus_limb3_lower_omega_x * limb3_lower_omega_y
@@ -6975,51 +7712,60 @@ def joint_reactions(*arguments):
         t118 = limb3_upper_offset_x * limb3_lower_U_yx
         limb3_lower_acc_y = minus_limb3_lower_sin * limb3_U_0_acc_y
         limb3_upper_acc_y = t117 + (t118 + limb3_lower_acc_y)
-        minus_limb3_upper_rate_mz = 0.213 * limb3_upper_acc_y
-        limb3_lower_force_y = 1.42 * limb3_upper_acc_y
-        limb3_lower_rate_fy = 0.213 * limb3_lower_U_yx
+        minus_limb3_upper_rate_mz = limb_lower_mx * limb3_upper_acc_y
+        limb3_lower_force_y = limb_lower_m * limb3_upper_acc_y
+        limb3_lower_rate_fy = limb_lower_mx * limb3_lower_U_yx
         limb3_upper_rate_fy = limb3_lower_force_y - limb3_lower_rate_fy
         t121 = minus_limb3_upper_rate_mz - limb3_upper_offset_x * limb3_upper_rate_fy
-        minus_limb3_lower_moment_z = t121 - (0.213 * limb3_lower_acc_y - (2.2727 * minus_limb3_lower_U_still_xy - 2.3439 * limb3_U_a_1))
+        minus_limb3_lower_moment_z = (
+            t121 - (limb_lower_mx * limb3_lower_acc_y - (k8 * minus_limb3_lower_U_still_xy - k9 * limb3_U_a_1))
+        )
         minus_limb3_S_multiplier_fy = minus_limb3_lower_moment_z * (limb3_lower_cos * t94)
         t127 = t115 + limb3_S_arm_x * minus_limb3_S_multiplier_fy
         t129 = t112 - limb3_U_0_sin * t127
         # limb2: geometry; balance, eqs. (40)-(47); accelerations
-        limb2_upper_offset_x = 0.3 + limb2_P_q
+        limb2_upper_offset_x = limb_upper_phase + limb2_P_q
         minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x
         t130 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
         limb2_lower_sin = np.sin(t52)
         limb2_lower_omega_y = limb2_U_v_0 * limb2_lower_cos
         limb2_lower_alpha_still_x = limb2_U_v_1 * limb2_lower_omega_y
-        t131 = limb2_lower_sin * (0.0712 * limb2_lower_alpha_still_x)
+        t131 = limb2_lower_sin * (k10 * limb2_lower_alpha_still_x)
         t133 = limb2_P_v * (2.0 * limb2_lower_omega_y)
         limb2_lower_omega_x = limb2_U_v_0 * limb2_lower_sin
         minus_limb2_lower_alpha_still_y = limb2_U_v_1 * limb2_lower_omega_x
         minus_limb2_lower_alpha_y = minus_limb2_lower_alpha_still_y - limb2_U_a_0 * limb2_lower_cos
         limb2_lower_U_zx = minus_limb2_lower_alpha_still_y + minus_limb2_lower_alpha_y
-        minus_limb2_upper_acc_z = t133 - (limb2_upper_offset_x * limb2_lower_U_zx - 9.81 * minus_limb2_U_0_cos)
-        minus_limb2_upper_rate_my = 0.213 * minus_limb2_upper_acc_z
+        minus_limb2_upper_acc_z = t133 - (limb2_upper_offset_x * limb2_lower_U_zx - gravity_z * minus_limb2_U_0_cos)
+        minus_limb2_upper_rate_my = limb_lower_mx * minus_limb2_upper_acc_z
         # limb2: balance, eqs. (40)-(47); momentum rate, eq. (35); reciprocal wrenches, eq. (10)
-        minus_limb2_lower_force_z = 1.42 * minus_limb2_upper_acc_z
-        limb2_lower_rate_fz = 0.213 * limb2_lower_U_zx
+        minus_limb2_lower_force_z = limb_lower_m * minus_limb2_upper_acc_z
+        limb2_lower_rate_fz = limb_lower_mx * limb2_lower_U_zx
         minus_limb2_upper_rate_fz = minus_limb2_lower_force_z + limb2_lower_rate_fz
         t137 = minus_limb2_upper_rate_my - limb2_upper_offset_x * minus_limb2_upper_rate_fz
-        minus_limb2_upper_moment_y = 2.08953 * minus_limb2_U_0_cos
-        limb2_lower_rate_my = minus_limb2_upper_moment_y - (2.3439 * minus_limb2_lower_alpha_still_y + 2.2727 * minus_limb2_lower_alpha_y)
-        minus_limb2_S_multiplier_fz = t130 * (t131 - limb2_lower_cos * (t137 - limb2_lower_rate_my) + 0.1112 * limb2_U_a_0)
+        minus_limb2_upper_moment_y = gravity_z_limb_lower_mx * minus_limb2_U_0_cos
+        limb2_lower_rate_my = (
+            minus_limb2_upper_moment_y - (k9 * minus_limb2_lower_alpha_still_y + k8 * minus_limb2_lower_alpha_y)
+        )
+        minus_limb2_S_multiplier_fz = (
+            t130 * (t131 - limb2_lower_cos * (t137 - limb2_lower_rate_my) + k3 * limb2_U_a_0)
+        )
         t142 = minus_limb2_S_arm_y * minus_limb2_S_multiplier_fz
         t143 = limb2_lower_cos * t142
-        limb2_S_arm_x = limb2_upper_offset_x - 0.8 * limb2_lower_sin
+        limb2_S_arm_x = limb2_upper_offset_x - param_R * limb2_lower_sin
         t145 = limb2_S_arm_x * minus_limb2_S_multiplier_fz
         t147 = t143 - limb2_lower_sin * t145
         t148 = limb2_U_0_sin * t147
         # limb2: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
         minus_limb2_lower_U_still_xx = limb2_lower_omega_y * limb2_lower_omega_y + limb2_U_v_1 * limb2_U_v_1
-        minus_limb2_lower_rate_fx = 0.213 * minus_limb2_lower_U_still_xx
+        minus_limb2_lower_rate_fx = limb_lower_mx * minus_limb2_lower_U_still_xx
         minus_limb2_upper_acc_still_x = limb2_upper_offset_x * minus_limb2_lower_U_still_xx
-        minus_limb2_U_0_acc_y = 9.81 * limb2_U_0_sin
+        minus_limb2_U_0_acc_y = gravity_z * limb2_U_0_sin
         minus_limb2_lower_acc_x = limb2_lower_cos * minus_limb2_U_0_acc_y
-        limb2_upper_rate_fx = minus_limb2_lower_rate_fx + 1.42 * (limb2_P_a - (minus_limb2_upper_acc_still_x + minus_limb2_lower_acc_x))
+        limb2_upper_rate_fx = (
+            minus_limb2_lower_rate_fx + limb_lower_m * (limb2_P_a - (minus_limb2_upper_acc_still_x +
+            minus_limb2_lower_acc_x))
+        )
         t151 = minus_limb2_S_arm_y * limb2_upper_rate_fx
         t153 = limb2_P_v * (2.0 * limb2_U_v_1)
         limb2_lower_U_still_xy = limb2_lower_omega_x * limb2_lower_omega_y
@@ -7027,12 +7773,14 @@ def joint_reactions(*arguments):
         t154 = limb2_upper_offset_x * limb2_lower_U_yx
         limb2_lower_acc_y = limb2_lower_sin * minus_limb2_U_0_acc_y
         limb2_upper_acc_y = t153 + (t154 + limb2_lower_acc_y)
-        minus_limb2_upper_rate_mz = 0.213 * limb2_upper_acc_y
-        limb2_lower_force_y = 1.42 * limb2_upper_acc_y
-        limb2_lower_rate_fy = 0.213 * limb2_lower_U_yx
+        minus_limb2_upper_rate_mz = limb_lower_mx * limb2_upper_acc_y
+        limb2_lower_force_y = limb_lower_m * limb2_upper_acc_y
+        limb2_lower_rate_fy = limb_lower_mx * limb2_lower_U_yx
         limb2_upper_rate_fy = limb2_lower_force_y - limb2_lower_rate_fy
         t157 = minus_limb2_upper_rate_mz - limb2_upper_offset_x * limb2_upper_rate_fy
-        minus_limb2_lower_moment_z = t157 - (0.213 * limb2_lower_acc_y + (2.2727 * limb2_lower_U_still_xy + 2.3439 * limb2_U_a_1))
+        minus_limb2_lower_moment_z = (
+            t157 - (limb_lower_mx * limb2_lower_acc_y + (k8 * limb2_lower_U_still_xy + k9 * limb2_U_a_1))
+        )
         minus_limb2_S_multiplier_fy = minus_limb2_lower_moment_z * (limb2_lower_cos * t130)
         t163 = t151 - limb2_S_arm_x * minus_limb2_S_multiplier_fy
         t165 = t148 + minus_limb2_U_0_cos * t163
@@ -7040,36 +7788,40 @@ def joint_reactions(*arguments):
         t166 = limb5_S_q_qx * t14
         t167 = limb5_S_q_qw * t32
         platform_turn_zx = t166 - t167
-        minus_platform_moment_x = 14.62961126155784 * platform_turn_zy
+        minus_platform_moment_x = gravity_z_platform_mz * platform_turn_zy
         platform_U_still_yz = limb5_S_v_wy * limb5_S_v_wz
-        minus_platform_rate_mx = minus_platform_moment_x - (22.6251 * platform_U_still_yz + 69.4749 * limb5_S_a_wx)
+        minus_platform_rate_mx = minus_platform_moment_x - (k12 * platform_U_still_yz + k13 * limb5_S_a_wx)
         t171 = platform_turn_zx * minus_platform_rate_mx
-        platform_moment_y = 14.62961126155784 * platform_turn_zx
+        platform_moment_y = gravity_z_platform_mz * platform_turn_zx
         platform_U_still_xz = limb5_S_v_wx * limb5_S_v_wz
-        platform_rate_my = platform_moment_y - (22.6251 * platform_U_still_xz - 69.4749 * limb5_S_a_wy)
+        platform_rate_my = platform_moment_y - (k12 * platform_U_still_xz - k13 * limb5_S_a_wy)
         t176 = t171 - platform_turn_zy * platform_rate_my
         platform_turn_zz = 1.0 - t10 * (t3 + t5)
-        platform_rate_mz = 92.1 * limb5_S_a_wz
+        platform_rate_mz = platform_Izz * limb5_S_a_wz
         t180 = t176 - platform_turn_zz * platform_rate_mz
         # limb1: velocities, eq. (6); accelerations; balance, eqs. (40)-(47)
         limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos
         limb1_lower_alpha_still_x = limb1_U_v_1 * limb1_lower_omega_y
-        t181 = limb1_lower_sin * (0.0712 * limb1_lower_alpha_still_x)
+        t181 = limb1_lower_sin * (k10 * limb1_lower_alpha_still_x)
         t183 = limb1_P_v * (2.0 * limb1_lower_omega_y)
         limb1_lower_omega_x = limb1_U_v_0 * limb1_lower_sin
         minus_limb1_lower_alpha_still_y = limb1_U_v_1 * limb1_lower_omega_x
         minus_limb1_lower_alpha_y = minus_limb1_lower_alpha_still_y - limb1_U_a_0 * limb1_lower_cos
         limb1_lower_U_zx = minus_limb1_lower_alpha_still_y + minus_limb1_lower_alpha_y
-        minus_limb1_upper_acc_z = t183 - (limb1_upper_offset_x * limb1_lower_U_zx + 9.81 * limb1_U_0_sin)
-        minus_limb1_upper_rate_my = 0.213 * minus_limb1_upper_acc_z
+        minus_limb1_upper_acc_z = t183 - (limb1_upper_offset_x * limb1_lower_U_zx + gravity_z * limb1_U_0_sin)
+        minus_limb1_upper_rate_my = limb_lower_mx * minus_limb1_upper_acc_z
         # limb1: balance, eqs. (40)-(47); momentum rate, eq. (35)
-        minus_limb1_lower_force_z = 1.42 * minus_limb1_upper_acc_z
-        limb1_lower_rate_fz = 0.213 * limb1_lower_U_zx
+        minus_limb1_lower_force_z = limb_lower_m * minus_limb1_upper_acc_z
+        limb1_lower_rate_fz = limb_lower_mx * limb1_lower_U_zx
         minus_limb1_upper_rate_fz = minus_limb1_lower_force_z + limb1_lower_rate_fz
         t187 = minus_limb1_upper_rate_my - limb1_upper_offset_x * minus_limb1_upper_rate_fz
-        limb1_upper_moment_y = 2.08953 * limb1_U_0_sin
-        minus_limb1_lower_rate_my = limb1_upper_moment_y + (2.3439 * minus_limb1_lower_alpha_still_y + 2.2727 * minus_limb1_lower_alpha_y)
-        minus_limb1_U2_part_fz = t19 * (t181 - limb1_lower_cos * (t187 + minus_limb1_lower_rate_my) + 0.1112 * limb1_U_a_0)
+        limb1_upper_moment_y = gravity_z_limb_lower_mx * limb1_U_0_sin
+        minus_limb1_lower_rate_my = (
+            limb1_upper_moment_y + (k9 * minus_limb1_lower_alpha_still_y + k8 * minus_limb1_lower_alpha_y)
+        )
+        minus_limb1_U2_part_fz = (
+            t19 * (t181 - limb1_lower_cos * (t187 + minus_limb1_lower_rate_my) + k3 * limb1_U_a_0)
+        )
         t192 = minus_limb1_U2_arm_y * minus_limb1_U2_part_fz
         t193 = limb1_lower_cos * t192
         t194 = limb1_U2_arm_x * minus_limb1_U2_part_fz
@@ -7077,11 +7829,14 @@ def joint_reactions(*arguments):
         t197 = limb1_U_0_cos * t196
         # limb1: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
         minus_limb1_lower_U_still_xx = limb1_lower_omega_y * limb1_lower_omega_y + limb1_U_v_1 * limb1_U_v_1
-        minus_limb1_lower_rate_fx = 0.213 * minus_limb1_lower_U_still_xx
+        minus_limb1_lower_rate_fx = limb_lower_mx * minus_limb1_lower_U_still_xx
         minus_limb1_upper_acc_still_x = limb1_upper_offset_x * minus_limb1_lower_U_still_xx
-        limb1_U_0_acc_y = 9.81 * limb1_U_0_cos
+        limb1_U_0_acc_y = gravity_z * limb1_U_0_cos
         limb1_lower_acc_x = limb1_lower_cos * limb1_U_0_acc_y
-        limb1_upper_rate_fx = minus_limb1_lower_rate_fx + 1.42 * (limb1_P_a - (minus_limb1_upper_acc_still_x - limb1_lower_acc_x))
+        limb1_upper_rate_fx = (
+            minus_limb1_lower_rate_fx + limb_lower_m * (limb1_P_a - (minus_limb1_upper_acc_still_x -
+            limb1_lower_acc_x))
+        )
         t200 = minus_limb1_U2_arm_y * limb1_upper_rate_fx
         t202 = limb1_P_v * (2.0 * limb1_U_v_1)
         limb1_lower_U_still_xy = limb1_lower_omega_x * limb1_lower_omega_y
@@ -7089,12 +7844,14 @@ def joint_reactions(*arguments):
         t203 = limb1_upper_offset_x * limb1_lower_U_yx
         minus_limb1_lower_acc_y = limb1_lower_sin * limb1_U_0_acc_y
         limb1_upper_acc_y = t202 + (t203 - minus_limb1_lower_acc_y)
-        minus_limb1_upper_rate_mz = 0.213 * limb1_upper_acc_y
-        limb1_lower_force_y = 1.42 * limb1_upper_acc_y
-        limb1_lower_rate_fy = 0.213 * limb1_lower_U_yx
+        minus_limb1_upper_rate_mz = limb_lower_mx * limb1_upper_acc_y
+        limb1_lower_force_y = limb_lower_m * limb1_upper_acc_y
+        limb1_lower_rate_fy = limb_lower_mx * limb1_lower_U_yx
         limb1_upper_rate_fy = limb1_lower_force_y - limb1_lower_rate_fy
         t206 = minus_limb1_upper_rate_mz - limb1_upper_offset_x * limb1_upper_rate_fy
-        minus_limb1_lower_moment_z = t206 + (0.213 * minus_limb1_lower_acc_y - (2.2727 * limb1_lower_U_still_xy + 2.3439 * limb1_U_a_1))
+        minus_limb1_lower_moment_z = (
+            t206 + (limb_lower_mx * minus_limb1_lower_acc_y - (k8 * limb1_lower_U_still_xy + k9 * limb1_U_a_1))
+        )
         minus_limb1_U2_part_fy = minus_limb1_lower_moment_z * t36
         t211 = t200 - limb1_U2_arm_x * minus_limb1_U2_part_fy
         # platform: balance, eqs. (40)-(47); geometry; drives
@@ -7129,7 +7886,9 @@ def joint_reactions(*arguments):
         t270 = minus_limb5_S_balance_wy_by_limb4_P * minus_limb5_S_balance_wy_by_limb4_P
         t271 = limb5_S_balance_wy_by_limb3_P * limb5_S_balance_wy_by_limb3_P
         t272 = limb5_S_balance_wy_by_limb2_P * limb5_S_balance_wy_by_limb2_P
-        drives_share_1_1 = t270 + (t271 + (t272 + minus_limb5_S_balance_wy_by_limb1_P * minus_limb5_S_balance_wy_by_limb1_P))
+        drives_share_1_1 = (
+            t270 + (t271 + (t272 + minus_limb5_S_balance_wy_by_limb1_P * minus_limb5_S_balance_wy_by_limb1_P))
+        )
         minus_determinant = t269 - drives_share_1_1 * drives_share_0_0
         t277 = 1.0 / minus_determinant
         t278 = t268 * t277
@@ -7142,21 +7901,27 @@ def joint_reactions(*arguments):
         limb3_P_drive = limb5_S_balance_wy_by_limb3_P * t278 + minus_limb5_S_balance_wx_by_limb3_P * t283
         minus_limb4_P_drive = minus_limb5_S_balance_wy_by_limb4_P * t278 + limb5_S_balance_wx_by_limb4_P * t283
         limb4_P_drive = -minus_limb4_P_drive
-        limb1_lower_rate_fy_2 = limb1_lower_rate_fy - 1.42 * minus_limb1_lower_acc_y
+        limb1_lower_rate_fy_2 = limb1_lower_rate_fy - limb_lower_m * minus_limb1_lower_acc_y
         # limb1: balance, eqs. (40)-(47); momentum rate, eq. (35); reactions, eq. (32)
         t291 = minus_limb4_P_drive * (limb1_U_factor_1_by_3 * limb1_U2_part_mn_by_limb4_P)
         t292 = limb3_P_drive * (limb1_U_factor_1_by_3 * minus_limb1_U2_part_mn_by_limb3_P)
         t293 = limb2_P_drive * (limb1_U_factor_1_by_3 * minus_limb1_U2_part_mn_by_limb2_P)
         t294 = minus_limb1_P_drive * (limb1_U_factor_1_by_3 * limb1_U2_part_mn_by_limb1_P)
-        limb1_U2_multiplier_fy = t291 + (t292 + (t293 + (t294 - (minus_limb1_U2_part_fy + limb1_U_factor_1_by_3 * limb1_U2_part_mn))))
+        limb1_U2_multiplier_fy = (
+            t291 + (t292 + (t293 + (t294 - (minus_limb1_U2_part_fy + limb1_U_factor_1_by_3 * limb1_U2_part_mn))))
+        )
         limb1_upper_sent_fy = limb1_upper_rate_fy - limb1_U2_multiplier_fy
         limb1_lower_sent_fy = limb1_lower_rate_fy_2 + limb1_upper_sent_fy
         t299 = limb1_lower_cos * limb1_lower_sent_fy
-        minus_limb1_lower_sent_fx = minus_limb1_lower_rate_fx - 1.42 * limb1_lower_acc_x + minus_limb1_P_drive
+        minus_limb1_lower_sent_fx = (
+            minus_limb1_lower_rate_fx - limb_lower_m * limb1_lower_acc_x + minus_limb1_P_drive
+        )
         limb1_lower_joint_sent_fy = t299 - limb1_lower_sin * minus_limb1_lower_sent_fx
-        minus_limb1_lower_joint_sent_fx = limb1_lower_sin * limb1_lower_sent_fy + limb1_lower_cos * minus_limb1_lower_sent_fx
+        minus_limb1_lower_joint_sent_fx = (
+            limb1_lower_sin * limb1_lower_sent_fy + limb1_lower_cos * minus_limb1_lower_sent_fx
+        )
         t303 = limb1_U_0_sin * minus_limb1_lower_joint_sent_fx
-        limb1_lower_rate_fz_2 = limb1_lower_rate_fz + 13.9302 * limb1_U_0_sin
+        limb1_lower_rate_fz_2 = limb1_lower_rate_fz + limb_lower_m_gravity_z * limb1_U_0_sin
         t304 = minus_limb4_P_drive * (minus_limb1_U_factor_0_by_3 * limb1_U2_part_mn_by_limb4_P)
         t305 = limb3_P_drive * (minus_limb1_U_factor_0_by_3 * minus_limb1_U2_part_mn_by_limb3_P)
         t306 = limb2_P_drive * (minus_limb1_U_factor_0_by_3 * minus_limb1_U2_part_mn_by_limb2_P)
@@ -7166,29 +7931,38 @@ def joint_reactions(*arguments):
         minus_limb1_upper_sent_fz = minus_limb1_upper_rate_fz - minus_limb1_U2_multiplier_fz
         limb1_lower_sent_fz = limb1_lower_rate_fz_2 - minus_limb1_upper_sent_fz
         limb1_U_0_joint_sent_fx = t303 + limb1_U_0_cos * limb1_lower_sent_fz
-        minus_limb1_U_0_joint_sent_fy = limb1_U_0_cos * minus_limb1_lower_joint_sent_fx - limb1_U_0_sin * limb1_lower_sent_fz
+        minus_limb1_U_0_joint_sent_fy = (
+            limb1_U_0_cos * minus_limb1_lower_joint_sent_fx - limb1_U_0_sin * limb1_lower_sent_fz
+        )
         limb1_U_0_joint_sent_fy = -minus_limb1_U_0_joint_sent_fy
-        t315 = 0.0556 * (limb1_lower_alpha_still_x + limb1_U_a_0 * limb1_lower_sin)
-        limb1_upper_rate_mx = t315 - 0.02 * limb1_lower_alpha_still_x
+        t315 = k14 * (limb1_lower_alpha_still_x + limb1_U_a_0 * limb1_lower_sin)
+        limb1_upper_rate_mx = t315 - k15 * limb1_lower_alpha_still_x
         t317 = limb1_U2_part_mn_by_limb4_P * minus_limb4_P_drive
         t318 = minus_limb1_U2_part_mn_by_limb3_P * limb3_P_drive
         t319 = minus_limb1_U2_part_mn_by_limb2_P * limb2_P_drive
-        minus_limb1_U2_multiplier_mn = t317 + (t318 + (t319 - (limb1_U2_part_mn - limb1_U2_part_mn_by_limb1_P * minus_limb1_P_drive)))
+        minus_limb1_U2_multiplier_mn = (
+            t317 + (t318 + (t319 - (limb1_U2_part_mn - limb1_U2_part_mn_by_limb1_P * minus_limb1_P_drive)))
+        )
         limb1_U2_joint_reaction_mx = limb1_U2_constraint_mn_couple_x * minus_limb1_U2_multiplier_mn
         limb1_upper_sent_mx = limb1_upper_rate_mx + limb1_U2_joint_reaction_mx
         limb1_lower_sent_mx = limb1_upper_rate_mx + limb1_upper_sent_mx
         t324 = limb1_lower_sin * limb1_lower_sent_mx
-        t327 = 1.19195 * minus_limb1_lower_alpha_y + 1.11635 * minus_limb1_lower_alpha_still_y
+        t327 = k16 * minus_limb1_lower_alpha_y + k17 * minus_limb1_lower_alpha_still_y
         minus_limb1_lower_rate_my_2 = limb1_upper_moment_y + t327
         minus_limb1_upper_rate_my_2 = minus_limb1_upper_rate_my + t327
-        minus_limb1_lower_sent_my = minus_limb1_lower_rate_my_2 + (minus_limb1_upper_rate_my_2 - limb1_upper_offset_x * minus_limb1_upper_sent_fz)
+        minus_limb1_lower_sent_my = (
+            minus_limb1_lower_rate_my_2 + (minus_limb1_upper_rate_my_2 - limb1_upper_offset_x *
+            minus_limb1_upper_sent_fz)
+        )
         limb1_lower_joint_sent_my = t324 - limb1_lower_cos * minus_limb1_lower_sent_my
         # limb1: reactions, eq. (32); balance, eqs. (40)-(47); geometry
-        t331 = 0.8 * minus_limb1_U_0_joint_sent_fy
-        limb1_lower_joint_sent_mx = limb1_lower_sin * minus_limb1_lower_sent_my + limb1_lower_cos * limb1_lower_sent_mx
+        t331 = param_R * minus_limb1_U_0_joint_sent_fy
+        limb1_lower_joint_sent_mx = (
+            limb1_lower_sin * minus_limb1_lower_sent_my + limb1_lower_cos * limb1_lower_sent_mx
+        )
         minus_limb1_U_reaction_my = t331 + limb1_U_0_sin * limb1_lower_joint_sent_mx
         limb1_U_reaction_my = -minus_limb1_U_reaction_my
-        limb1_U_reaction_mz = limb1_U_0_cos * limb1_lower_joint_sent_mx - 0.8 * limb1_U_0_joint_sent_fx
+        limb1_U_reaction_mz = limb1_U_0_cos * limb1_lower_joint_sent_mx - param_R * limb1_U_0_joint_sent_fx
         limb1_P_reaction_fx = limb1_lower_cos * limb1_upper_sent_fy
         t337 = limb1_U_0_cos * minus_limb1_upper_sent_fz
         limb1_lower_rotation_yy = limb1_U_0_sin * limb1_lower_sin
@@ -7204,11 +7978,13 @@ def joint_reactions(*arguments):
         minus_limb1_lower_rotation_yx = limb1_U_0_sin * limb1_lower_cos
         minus_limb1_upper_position_y = limb1_upper_offset_x * minus_limb1_lower_rotation_yx
         t343 = t341 + minus_limb1_upper_position_y * minus_limb1_P_reaction_fz
-        limb1_P_reaction_mx = t343 - (limb1_lower_cos * minus_limb1_upper_rate_my_2 - limb1_lower_sin * limb1_upper_sent_mx)
-        minus_limb1_upper_position_x = 0.8 - limb1_lower_sin * limb1_upper_offset_x
+        limb1_P_reaction_mx = (
+            t343 - (limb1_lower_cos * minus_limb1_upper_rate_my_2 - limb1_lower_sin * limb1_upper_sent_mx)
+        )
+        minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x
         t347 = minus_limb1_upper_position_x * minus_limb1_P_reaction_fz
         t349 = t347 - limb1_upper_position_z * limb1_P_reaction_fx
-        minus_limb1_upper_rate_mz_2 = minus_limb1_upper_rate_mz - (1.17195 * limb1_U_a_1 + 1.13635 * limb1_lower_U_still_xy)
+        minus_limb1_upper_rate_mz_2 = minus_limb1_upper_rate_mz - (k18 * limb1_U_a_1 + k19 * limb1_lower_U_still_xy)
         limb1_U2_joint_reaction_mz = limb1_U2_constraint_mn_couple_z * minus_limb1_U2_multiplier_mn
         minus_limb1_upper_sent_mz = minus_limb1_upper_rate_mz_2 - limb1_U2_joint_reaction_mz
         t353 = limb1_U_0_cos * minus_limb1_upper_sent_mz
@@ -7243,33 +8019,45 @@ def joint_reactions(*arguments):
         limb1_U2_reaction_mz = t388 - (t389 + minus_limb1_upper_position_x * limb1_U2_reaction_fy)
         # limb2: balance, eqs. (40)-(47); momentum rate, eq. (35)
         minus_limb2_upper_sent_fz = minus_limb2_upper_rate_fz - minus_limb2_S_multiplier_fz
-        minus_limb2_lower_sent_fz = minus_limb2_upper_sent_fz - (limb2_lower_rate_fz - 13.9302 * minus_limb2_U_0_cos)
+        minus_limb2_lower_sent_fz = (
+            minus_limb2_upper_sent_fz - (limb2_lower_rate_fz - limb_lower_m_gravity_z * minus_limb2_U_0_cos)
+        )
         t392 = limb2_U_0_sin * minus_limb2_lower_sent_fz
-        limb2_lower_rate_fy_2 = limb2_lower_rate_fy + 1.42 * limb2_lower_acc_y
+        limb2_lower_rate_fy_2 = limb2_lower_rate_fy + limb_lower_m * limb2_lower_acc_y
         limb2_upper_sent_fy = limb2_upper_rate_fy + minus_limb2_S_multiplier_fy
         limb2_lower_sent_fy = limb2_lower_rate_fy_2 + limb2_upper_sent_fy
         t393 = limb2_lower_sin * limb2_lower_sent_fy
-        minus_limb2_lower_sent_fx = minus_limb2_lower_rate_fx + 1.42 * minus_limb2_lower_acc_x - limb2_P_drive
+        minus_limb2_lower_sent_fx = (
+            minus_limb2_lower_rate_fx + limb_lower_m * minus_limb2_lower_acc_x - limb2_P_drive
+        )
         minus_limb2_lower_joint_sent_fx = t393 + limb2_lower_cos * minus_limb2_lower_sent_fx
         minus_limb2_U_0_joint_sent_fy = t392 - minus_limb2_U_0_cos * minus_limb2_lower_joint_sent_fx
         limb2_U_0_joint_sent_fy = -minus_limb2_U_0_joint_sent_fy
-        limb2_lower_joint_sent_fy = limb2_lower_cos * limb2_lower_sent_fy - limb2_lower_sin * minus_limb2_lower_sent_fx
+        limb2_lower_joint_sent_fy = (
+            limb2_lower_cos * limb2_lower_sent_fy - limb2_lower_sin * minus_limb2_lower_sent_fx
+        )
         t398 = minus_limb2_U_0_cos * minus_limb2_lower_sent_fz
         limb2_U_0_joint_sent_fx = t398 + limb2_U_0_sin * minus_limb2_lower_joint_sent_fx
-        t400 = 0.0556 * (limb2_lower_alpha_still_x + limb2_U_a_0 * limb2_lower_sin)
-        limb2_upper_rate_mx = t400 - 0.02 * limb2_lower_alpha_still_x
+        t400 = k14 * (limb2_lower_alpha_still_x + limb2_U_a_0 * limb2_lower_sin)
+        limb2_upper_rate_mx = t400 - k15 * limb2_lower_alpha_still_x
         limb2_lower_sent_mx = 2.0 * limb2_upper_rate_mx
         t402 = limb2_lower_cos * limb2_lower_sent_mx
-        t405 = 1.19195 * minus_limb2_lower_alpha_y + 1.11635 * minus_limb2_lower_alpha_still_y
+        t405 = k16 * minus_limb2_lower_alpha_y + k17 * minus_limb2_lower_alpha_still_y
         minus_limb2_upper_rate_my_2 = minus_limb2_upper_rate_my + t405
         t407 = minus_limb2_upper_rate_my_2 - limb2_upper_offset_x * minus_limb2_upper_sent_fz
         minus_limb2_lower_sent_my = t407 - (minus_limb2_upper_moment_y - t405)
         limb2_lower_joint_sent_mx = t402 + limb2_lower_sin * minus_limb2_lower_sent_my
         # limb2: reactions, eq. (32); balance, eqs. (40)-(47); geometry
-        minus_limb2_U_reaction_mx = minus_limb2_U_0_cos * limb2_lower_joint_sent_mx + 0.8 * limb2_U_0_joint_sent_fx
+        minus_limb2_U_reaction_mx = (
+            minus_limb2_U_0_cos * limb2_lower_joint_sent_mx + param_R * limb2_U_0_joint_sent_fx
+        )
         limb2_U_reaction_mx = -minus_limb2_U_reaction_mx
-        limb2_lower_joint_sent_my = limb2_lower_sin * limb2_lower_sent_mx - limb2_lower_cos * minus_limb2_lower_sent_my
-        minus_limb2_U_reaction_mz = limb2_U_0_sin * limb2_lower_joint_sent_mx + 0.8 * minus_limb2_U_0_joint_sent_fy
+        limb2_lower_joint_sent_my = (
+            limb2_lower_sin * limb2_lower_sent_mx - limb2_lower_cos * minus_limb2_lower_sent_my
+        )
+        minus_limb2_U_reaction_mz = (
+            limb2_U_0_sin * limb2_lower_joint_sent_mx + param_R * minus_limb2_U_0_joint_sent_fy
+        )
         limb2_U_reaction_mz = -minus_limb2_U_reaction_mz
         t415 = limb2_U_0_sin * minus_limb2_upper_sent_fz
         limb2_lower_rotation_xy = minus_limb2_U_0_cos * limb2_lower_sin
@@ -7282,12 +8070,12 @@ def joint_reactions(*arguments):
         minus_limb2_lower_rotation_zx = limb2_U_0_sin * limb2_lower_cos
         minus_limb2_upper_position_z = limb2_upper_offset_x * minus_limb2_lower_rotation_zx
         t419 = minus_limb2_upper_position_z * limb2_P_reaction_fy
-        minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
+        minus_limb2_upper_position_y = param_R - limb2_lower_sin * limb2_upper_offset_x
         t421 = t419 - minus_limb2_upper_position_y * limb2_P_reaction_fz
         minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos
         t422 = minus_limb2_lower_rotation_xx * limb2_upper_rate_mx
         t424 = t422 + limb2_lower_rotation_xy * minus_limb2_upper_rate_my_2
-        minus_limb2_upper_rate_mz_2 = minus_limb2_upper_rate_mz - (1.17195 * limb2_U_a_1 + 1.13635 * limb2_lower_U_still_xy)
+        minus_limb2_upper_rate_mz_2 = minus_limb2_upper_rate_mz - (k18 * limb2_U_a_1 + k19 * limb2_lower_U_still_xy)
         limb2_P_reaction_mx = t421 - (t424 + limb2_U_0_sin * minus_limb2_upper_rate_mz_2)
         t432 = limb2_lower_sin * limb2_upper_rate_mx - limb2_lower_cos * minus_limb2_upper_rate_my_2
         minus_limb2_upper_position_x = limb2_upper_offset_x * minus_limb2_lower_rotation_xx
@@ -7303,7 +8091,9 @@ def joint_reactions(*arguments):
         t445 = limb2_lower_rotation_xy * minus_limb2_S_multiplier_fy
         limb2_S_multiplier_fx = limb2_upper_rate_fx - limb2_P_drive
         limb2_S_reaction_fx = t444 + (t445 + minus_limb2_lower_rotation_xx * limb2_S_multiplier_fx)
-        minus_limb2_S_reaction_fy = limb2_lower_sin * limb2_S_multiplier_fx - limb2_lower_cos * minus_limb2_S_multiplier_fy
+        minus_limb2_S_reaction_fy = (
+            limb2_lower_sin * limb2_S_multiplier_fx - limb2_lower_cos * minus_limb2_S_multiplier_fy
+        )
         limb2_S_reaction_fy = -minus_limb2_S_reaction_fy
         t450 = minus_limb2_U_0_cos * minus_limb2_S_multiplier_fz
         t451 = limb2_lower_rotation_zy * minus_limb2_S_multiplier_fy
@@ -7317,36 +8107,44 @@ def joint_reactions(*arguments):
         t458 = minus_limb2_upper_position_y * limb2_S_reaction_fx
         limb2_S_reaction_mz = t458 + minus_limb2_upper_position_x * minus_limb2_S_reaction_fy
         # limb3: momentum rate, eq. (35)
-        limb3_lower_rate_fy_2 = limb3_lower_rate_fy + 1.42 * limb3_lower_acc_y
+        limb3_lower_rate_fy_2 = limb3_lower_rate_fy + limb_lower_m * limb3_lower_acc_y
         # limb3: balance, eqs. (40)-(47); momentum rate, eq. (35)
         limb3_upper_sent_fy = limb3_upper_rate_fy + minus_limb3_S_multiplier_fy
         limb3_lower_sent_fy = limb3_lower_rate_fy_2 + limb3_upper_sent_fy
         t460 = limb3_lower_cos * limb3_lower_sent_fy
-        minus_limb3_lower_sent_fx = minus_limb3_lower_rate_fx - 1.42 * limb3_lower_acc_x - limb3_P_drive
+        minus_limb3_lower_sent_fx = minus_limb3_lower_rate_fx - limb_lower_m * limb3_lower_acc_x - limb3_P_drive
         limb3_lower_joint_sent_fy = t460 + minus_limb3_lower_sin * minus_limb3_lower_sent_fx
         minus_limb3_upper_sent_fz = minus_limb3_upper_rate_fz + limb3_S_multiplier_fz
-        minus_limb3_lower_sent_fz = minus_limb3_upper_sent_fz + (minus_limb3_lower_rate_fz - 13.9302 * limb3_U_0_sin)
+        minus_limb3_lower_sent_fz = (
+            minus_limb3_upper_sent_fz + (minus_limb3_lower_rate_fz - limb_lower_m_gravity_z * limb3_U_0_sin)
+        )
         t462 = limb3_U_0_cos * minus_limb3_lower_sent_fz
-        limb3_lower_joint_sent_fx = minus_limb3_lower_sin * limb3_lower_sent_fy - limb3_lower_cos * minus_limb3_lower_sent_fx
+        limb3_lower_joint_sent_fx = (
+            minus_limb3_lower_sin * limb3_lower_sent_fy - limb3_lower_cos * minus_limb3_lower_sent_fx
+        )
         minus_limb3_U_0_joint_sent_fx = t462 + limb3_U_0_sin * limb3_lower_joint_sent_fx
         limb3_U_0_joint_sent_fx = -minus_limb3_U_0_joint_sent_fx
-        minus_limb3_U_0_joint_sent_fy = limb3_U_0_sin * minus_limb3_lower_sent_fz - limb3_U_0_cos * limb3_lower_joint_sent_fx
+        minus_limb3_U_0_joint_sent_fy = (
+            limb3_U_0_sin * minus_limb3_lower_sent_fz - limb3_U_0_cos * limb3_lower_joint_sent_fx
+        )
         limb3_U_0_joint_sent_fy = -minus_limb3_U_0_joint_sent_fy
-        t468 = 0.0556 * (limb3_lower_alpha_still_x - limb3_U_a_0 * minus_limb3_lower_sin)
-        limb3_upper_rate_mx = t468 - 0.02 * limb3_lower_alpha_still_x
+        t468 = k14 * (limb3_lower_alpha_still_x - limb3_U_a_0 * minus_limb3_lower_sin)
+        limb3_upper_rate_mx = t468 - k15 * limb3_lower_alpha_still_x
         limb3_lower_sent_mx = 2.0 * limb3_upper_rate_mx
         t470 = minus_limb3_lower_sin * limb3_lower_sent_mx
-        t473 = 1.19195 * limb3_lower_alpha_y + 1.11635 * limb3_lower_alpha_still_y
+        t473 = k16 * limb3_lower_alpha_y + k17 * limb3_lower_alpha_still_y
         minus_limb3_upper_rate_my_2 = minus_limb3_upper_rate_my - t473
         t475 = minus_limb3_upper_rate_my_2 - limb3_upper_offset_x * minus_limb3_upper_sent_fz
         minus_limb3_lower_sent_my = t475 + (limb3_upper_moment_y - t473)
         minus_limb3_lower_joint_sent_my = t470 + limb3_lower_cos * minus_limb3_lower_sent_my
         limb3_lower_joint_sent_my = -minus_limb3_lower_joint_sent_my
         # limb3: reactions, eq. (32); balance, eqs. (40)-(47); geometry
-        t477 = 0.8 * minus_limb3_U_0_joint_sent_fy
-        limb3_lower_joint_sent_mx = limb3_lower_cos * limb3_lower_sent_mx - minus_limb3_lower_sin * minus_limb3_lower_sent_my
+        t477 = param_R * minus_limb3_U_0_joint_sent_fy
+        limb3_lower_joint_sent_mx = (
+            limb3_lower_cos * limb3_lower_sent_mx - minus_limb3_lower_sin * minus_limb3_lower_sent_my
+        )
         limb3_U_reaction_my = t477 - limb3_U_0_sin * limb3_lower_joint_sent_mx
-        limb3_U_reaction_mz = limb3_U_0_cos * limb3_lower_joint_sent_mx - 0.8 * minus_limb3_U_0_joint_sent_fx
+        limb3_U_reaction_mz = limb3_U_0_cos * limb3_lower_joint_sent_mx - param_R * minus_limb3_U_0_joint_sent_fx
         limb3_P_reaction_fx = limb3_lower_cos * limb3_upper_sent_fy
         t483 = limb3_U_0_cos * minus_limb3_upper_sent_fz
         minus_limb3_lower_rotation_yy = limb3_U_0_sin * minus_limb3_lower_sin
@@ -7362,13 +8160,17 @@ def joint_reactions(*arguments):
         minus_limb3_lower_rotation_yx = limb3_U_0_sin * limb3_lower_cos
         minus_limb3_upper_position_y = limb3_upper_offset_x * minus_limb3_lower_rotation_yx
         t489 = t487 + minus_limb3_upper_position_y * minus_limb3_P_reaction_fz
-        limb3_P_reaction_mx = t489 - (minus_limb3_lower_sin * limb3_upper_rate_mx + limb3_lower_cos * minus_limb3_upper_rate_my_2)
-        limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
+        limb3_P_reaction_mx = (
+            t489 - (minus_limb3_lower_sin * limb3_upper_rate_mx + limb3_lower_cos * minus_limb3_upper_rate_my_2)
+        )
+        limb3_upper_position_x = param_R - minus_limb3_lower_sin * limb3_upper_offset_x
         t493 = limb3_upper_position_x * minus_limb3_P_reaction_fz
         t495 = t493 + limb3_upper_position_z * limb3_P_reaction_fx
         t496 = minus_limb3_lower_rotation_yx * limb3_upper_rate_mx
         t498 = t496 - minus_limb3_lower_rotation_yy * minus_limb3_upper_rate_my_2
-        minus_limb3_upper_rate_mz_2 = minus_limb3_upper_rate_mz - (1.17195 * limb3_U_a_1 - 1.13635 * minus_limb3_lower_U_still_xy)
+        minus_limb3_upper_rate_mz_2 = (
+            minus_limb3_upper_rate_mz - (k18 * limb3_U_a_1 - k19 * minus_limb3_lower_U_still_xy)
+        )
         limb3_P_reaction_my = t495 - (t498 + limb3_U_0_cos * minus_limb3_upper_rate_mz_2)
         t504 = limb3_lower_rotation_zx * limb3_upper_rate_mx
         t506 = t504 - limb3_lower_rotation_zy * minus_limb3_upper_rate_my_2
@@ -7376,7 +8178,9 @@ def joint_reactions(*arguments):
         t509 = minus_limb3_upper_position_y * limb3_P_reaction_fx
         limb3_P_reaction_mz = t508 + (t509 - limb3_upper_position_x * minus_limb3_P_reaction_fy)
         limb3_S_multiplier_fx = limb3_upper_rate_fx - limb3_P_drive
-        limb3_S_reaction_fx = minus_limb3_lower_sin * limb3_S_multiplier_fx + limb3_lower_cos * minus_limb3_S_multiplier_fy
+        limb3_S_reaction_fx = (
+            minus_limb3_lower_sin * limb3_S_multiplier_fx + limb3_lower_cos * minus_limb3_S_multiplier_fy
+        )
         t514 = limb3_U_0_cos * limb3_S_multiplier_fz
         t515 = minus_limb3_lower_rotation_yy * minus_limb3_S_multiplier_fy
         minus_limb3_S_reaction_fy = t514 + (t515 - minus_limb3_lower_rotation_yx * limb3_S_multiplier_fx)
@@ -7393,33 +8197,43 @@ def joint_reactions(*arguments):
         limb3_S_reaction_mz = t526 - limb3_upper_position_x * minus_limb3_S_reaction_fy
         # limb4: balance, eqs. (40)-(47); momentum rate, eq. (35); reactions, eq. (32)
         minus_limb4_upper_sent_fz = minus_limb4_upper_rate_fz + limb4_S_multiplier_fz
-        minus_limb4_lower_sent_fz = minus_limb4_upper_sent_fz + (minus_limb4_lower_rate_fz + 13.9302 * minus_limb4_U_0_cos)
+        minus_limb4_lower_sent_fz = (
+            minus_limb4_upper_sent_fz + (minus_limb4_lower_rate_fz + limb_lower_m_gravity_z * minus_limb4_U_0_cos)
+        )
         t528 = limb4_U_0_sin * minus_limb4_lower_sent_fz
-        limb4_lower_rate_fy_2 = limb4_lower_rate_fy - 1.42 * minus_limb4_lower_acc_y
+        limb4_lower_rate_fy_2 = limb4_lower_rate_fy - limb_lower_m * minus_limb4_lower_acc_y
         limb4_upper_sent_fy = limb4_upper_rate_fy + minus_limb4_S_multiplier_fy
         limb4_lower_sent_fy = limb4_lower_rate_fy_2 + limb4_upper_sent_fy
         t529 = minus_limb4_lower_sin * limb4_lower_sent_fy
-        minus_limb4_lower_sent_fx = minus_limb4_lower_rate_fx + 1.42 * minus_limb4_lower_acc_x + minus_limb4_P_drive
+        minus_limb4_lower_sent_fx = (
+            minus_limb4_lower_rate_fx + limb_lower_m * minus_limb4_lower_acc_x + minus_limb4_P_drive
+        )
         limb4_lower_joint_sent_fx = t529 - limb4_lower_cos * minus_limb4_lower_sent_fx
         minus_limb4_U_0_joint_sent_fy = t528 + minus_limb4_U_0_cos * limb4_lower_joint_sent_fx
         limb4_U_0_joint_sent_fy = -minus_limb4_U_0_joint_sent_fy
-        limb4_lower_joint_sent_fy = limb4_lower_cos * limb4_lower_sent_fy + minus_limb4_lower_sin * minus_limb4_lower_sent_fx
-        limb4_U_0_joint_sent_fx = minus_limb4_U_0_cos * minus_limb4_lower_sent_fz - limb4_U_0_sin * limb4_lower_joint_sent_fx
-        t536 = 0.8 * limb4_U_0_joint_sent_fx
-        t537 = 0.0556 * (limb4_lower_alpha_still_x - limb4_U_a_0 * minus_limb4_lower_sin)
-        limb4_upper_rate_mx = t537 - 0.02 * limb4_lower_alpha_still_x
+        limb4_lower_joint_sent_fy = (
+            limb4_lower_cos * limb4_lower_sent_fy + minus_limb4_lower_sin * minus_limb4_lower_sent_fx
+        )
+        limb4_U_0_joint_sent_fx = (
+            minus_limb4_U_0_cos * minus_limb4_lower_sent_fz - limb4_U_0_sin * limb4_lower_joint_sent_fx
+        )
+        t536 = param_R * limb4_U_0_joint_sent_fx
+        t537 = k14 * (limb4_lower_alpha_still_x - limb4_U_a_0 * minus_limb4_lower_sin)
+        limb4_upper_rate_mx = t537 - k15 * limb4_lower_alpha_still_x
         limb4_lower_sent_mx = 2.0 * limb4_upper_rate_mx
         t539 = limb4_lower_cos * limb4_lower_sent_mx
-        t542 = 1.19195 * limb4_lower_alpha_y + 1.11635 * limb4_lower_alpha_still_y
+        t542 = k16 * limb4_lower_alpha_y + k17 * limb4_lower_alpha_still_y
         minus_limb4_upper_rate_my_2 = minus_limb4_upper_rate_my - t542
         t544 = minus_limb4_upper_rate_my_2 - limb4_upper_offset_x * minus_limb4_upper_sent_fz
         minus_limb4_lower_sent_my = t544 - (minus_limb4_upper_moment_y + t542)
         limb4_lower_joint_sent_mx = t539 - minus_limb4_lower_sin * minus_limb4_lower_sent_my
         # limb4: reactions, eq. (32); balance, eqs. (40)-(47); geometry
         limb4_U_reaction_mx = t536 - minus_limb4_U_0_cos * limb4_lower_joint_sent_mx
-        minus_limb4_lower_joint_sent_my = minus_limb4_lower_sin * limb4_lower_sent_mx + limb4_lower_cos * minus_limb4_lower_sent_my
+        minus_limb4_lower_joint_sent_my = (
+            minus_limb4_lower_sin * limb4_lower_sent_mx + limb4_lower_cos * minus_limb4_lower_sent_my
+        )
         limb4_lower_joint_sent_my = -minus_limb4_lower_joint_sent_my
-        limb4_U_reaction_mz = 0.8 * minus_limb4_U_0_joint_sent_fy - limb4_U_0_sin * limb4_lower_joint_sent_mx
+        limb4_U_reaction_mz = param_R * minus_limb4_U_0_joint_sent_fy - limb4_U_0_sin * limb4_lower_joint_sent_mx
         t551 = limb4_U_0_sin * minus_limb4_upper_sent_fz
         minus_limb4_lower_rotation_xy = minus_limb4_U_0_cos * minus_limb4_lower_sin
         minus_limb4_P_reaction_fx = t551 + minus_limb4_lower_rotation_xy * limb4_upper_sent_fy
@@ -7431,17 +8245,21 @@ def joint_reactions(*arguments):
         minus_limb4_lower_rotation_zx = limb4_U_0_sin * limb4_lower_cos
         minus_limb4_upper_position_z = limb4_upper_offset_x * minus_limb4_lower_rotation_zx
         t555 = minus_limb4_upper_position_z * limb4_P_reaction_fy
-        limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
+        limb4_upper_position_y = param_R - minus_limb4_lower_sin * limb4_upper_offset_x
         t557 = t555 + limb4_upper_position_y * limb4_P_reaction_fz
         minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos
         t558 = minus_limb4_lower_rotation_xx * limb4_upper_rate_mx
         t560 = t558 - minus_limb4_lower_rotation_xy * minus_limb4_upper_rate_my_2
-        minus_limb4_upper_rate_mz_2 = minus_limb4_upper_rate_mz - (1.17195 * limb4_U_a_1 - 1.13635 * minus_limb4_lower_U_still_xy)
+        minus_limb4_upper_rate_mz_2 = (
+            minus_limb4_upper_rate_mz - (k18 * limb4_U_a_1 - k19 * minus_limb4_lower_U_still_xy)
+        )
         limb4_P_reaction_mx = t557 - (t560 + limb4_U_0_sin * minus_limb4_upper_rate_mz_2)
         minus_limb4_upper_position_x = limb4_upper_offset_x * minus_limb4_lower_rotation_xx
         t566 = minus_limb4_upper_position_x * limb4_P_reaction_fz
         t568 = t566 + minus_limb4_upper_position_z * minus_limb4_P_reaction_fx
-        limb4_P_reaction_my = t568 - (minus_limb4_lower_sin * limb4_upper_rate_mx + limb4_lower_cos * minus_limb4_upper_rate_my_2)
+        limb4_P_reaction_my = (
+            t568 - (minus_limb4_lower_sin * limb4_upper_rate_mx + limb4_lower_cos * minus_limb4_upper_rate_my_2)
+        )
         t572 = limb4_upper_position_y * minus_limb4_P_reaction_fx
         t574 = t572 - minus_limb4_upper_position_x * limb4_P_reaction_fy
         t575 = minus_limb4_lower_rotation_zx * limb4_upper_rate_mx
@@ -7452,7 +8270,9 @@ def joint_reactions(*arguments):
         limb4_S_multiplier_fx = limb4_upper_rate_fx + minus_limb4_P_drive
         minus_limb4_S_reaction_fx = t580 + (t581 - minus_limb4_lower_rotation_xx * limb4_S_multiplier_fx)
         limb4_S_reaction_fx = -minus_limb4_S_reaction_fx
-        limb4_S_reaction_fy = minus_limb4_lower_sin * limb4_S_multiplier_fx + limb4_lower_cos * minus_limb4_S_multiplier_fy
+        limb4_S_reaction_fy = (
+            minus_limb4_lower_sin * limb4_S_multiplier_fx + limb4_lower_cos * minus_limb4_S_multiplier_fy
+        )
         t586 = minus_limb4_U_0_cos * limb4_S_multiplier_fz
         t587 = minus_limb4_lower_rotation_zy * minus_limb4_S_multiplier_fy
         limb4_S_reaction_fz = t586 - (t587 - minus_limb4_lower_rotation_zx * limb4_S_multiplier_fx)
@@ -7467,25 +8287,50 @@ def joint_reactions(*arguments):
         t603 = limb2_lower_cos * limb2_S_multiplier_fx + limb2_lower_sin * minus_limb2_S_multiplier_fy  # limb2
         t605 = t444 + minus_limb2_U_0_cos * t603  # limb2
         # platform: momentum rate, eq. (35); balance, eqs. (40)-(47)
-        platform_rate_fx_2 = 1.4912957453168034 * (limb5_S_a_wy + platform_U_still_xz) + 28.1547 * platform_turn_zx
+        platform_rate_fx_2 = (
+            platform_mz * (limb5_S_a_wy + platform_U_still_xz) + platform_m_gravity_z * platform_turn_zx
+        )
         t607 = platform_turn_xx * platform_rate_fx_2
-        minus_platform_rate_fy_2 = 1.4912957453168034 * (limb5_S_a_wx - platform_U_still_yz) - 28.1547 * platform_turn_zy
+        minus_platform_rate_fy_2 = (
+            platform_mz * (limb5_S_a_wx - platform_U_still_yz) - platform_m_gravity_z * platform_turn_zy
+        )
         t610 = t607 - platform_turn_xy * minus_platform_rate_fy_2
-        minus_platform_rate_fz = 1.4912957453168034 * (limb5_S_v_wx * limb5_S_v_wx + limb5_S_v_wy * limb5_S_v_wy)
-        minus_platform_rate_fz_2 = minus_platform_rate_fz - 28.1547 * platform_turn_zz
-        t618 = limb3_S_reaction_fx + (t605 - (t610 - platform_turn_xz * minus_platform_rate_fz_2 + minus_limb1_U2_reaction_fx))
+        minus_platform_rate_fz = platform_mz * (limb5_S_v_wx * limb5_S_v_wx + limb5_S_v_wy * limb5_S_v_wy)
+        minus_platform_rate_fz_2 = minus_platform_rate_fz - platform_m_gravity_z * platform_turn_zz
+        t618 = (
+            limb3_S_reaction_fx + (t605 - (t610 - platform_turn_xz * minus_platform_rate_fz_2 +
+            minus_limb1_U2_reaction_fx))
+        )
         platform_joint_sent_fx = t600 - t618
-        t621 = limb3_lower_cos * limb3_S_multiplier_fx - minus_limb3_lower_sin * minus_limb3_S_multiplier_fy  # limb3
+        t621 = (
+            limb3_lower_cos * limb3_S_multiplier_fx - minus_limb3_lower_sin * minus_limb3_S_multiplier_fy
+        )  # limb3
         t623 = t514 - limb3_U_0_sin * t621  # limb3
         t626 = platform_turn_yx * platform_rate_fx_2 - platform_turn_yy * minus_platform_rate_fy_2
         t628 = t626 - platform_turn_yz * minus_platform_rate_fz_2
         t631 = limb1_lower_sin * limb1_U2_multiplier_fy - limb1_lower_cos * limb1_U2_multiplier_fx  # limb1
-        platform_joint_sent_fy = t623 + (minus_limb2_S_reaction_fy + (t628 + (limb1_U_0_sin * t631 - t368))) - limb4_S_reaction_fy
+        platform_joint_sent_fy = (
+            t623 + (minus_limb2_S_reaction_fy + (t628 + (limb1_U_0_sin * t631 - t368))) - limb4_S_reaction_fy
+        )
         t638 = t518 + limb3_U_0_cos * t621  # limb3
         t640 = t450 - limb2_U_0_sin * t603  # limb2
         t643 = platform_turn_zx * platform_rate_fx_2 - platform_turn_zy * minus_platform_rate_fy_2
         t649 = t640 + (t643 - platform_turn_zz * minus_platform_rate_fz_2 - (limb1_U_0_cos * t631 + t372))
         platform_joint_sent_fz = t638 + t649 - (t586 + limb4_U_0_sin * t598)
+        guards = (  # status 1 where a pivot is smaller than its limit:
+            (minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.3211e-10),  # where the reciprocal wrench limb2_S.fz has no
+            # power along limb2_U.0, as in a stretched limb
+            (minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.4044e-10),  # where the reciprocal wrench limb3_S.fz has no
+            # power along limb3_U.0, as in a stretched limb
+            (minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.284e-10),  # where the reciprocal wrench limb4_S.fz has no
+            # power along limb4_U.0, as in a stretched limb
+            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.233100000000001e-10),  # where the reciprocal wrench
+            # limb1_U2.fz has no power along limb1_U.0, as in a stretched limb
+            (platform_joint_force_mz_by_limb1_U2_mn, 4.0171000000000005e-10),  # where limb1_U2.mn cannot balance
+            # platform.moment_z
+            (minus_determinant, 2.393867125597279e-10),  # where equations that are solved at once lose rank, as
+            # drives do at a singularity
+        )
         return _finish(batch, ((limb1_P_drive, limb2_P_drive, limb3_P_drive, limb4_P_drive),
             (limb1_lower_joint_sent_fy, limb1_U_0_joint_sent_fx, limb1_U_0_joint_sent_fy,
             limb1_lower_joint_sent_my, limb1_U_reaction_my, limb1_U_reaction_mz,
@@ -7508,12 +8353,7 @@ def joint_reactions(*arguments):
             limb4_P_reaction_my, limb4_P_reaction_mz, limb4_S_reaction_fx, limb4_S_reaction_fy,
             limb4_S_reaction_fz, limb4_S_reaction_mx, limb4_S_reaction_my, limb4_S_reaction_mz,
             platform_joint_sent_fx, platform_joint_sent_fy, platform_joint_sent_fz, 0.0, 0.0, 0.0)),
-            ((minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.3211e-10),
-            (minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.4044e-10),
-            (minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.284e-10),
-            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.233100000000001e-10),
-            (platform_joint_force_mz_by_limb1_U2_mn, 4.0171000000000005e-10), (minus_determinant,
-            2.393867125597279e-10)), (minus_limb1_U_0_lever_mz_by_limb1_U2_fz,
+            guards, (minus_limb1_U_0_lever_mz_by_limb1_U2_fz,
             platform_joint_force_mz_by_limb1_U2_mn, minus_limb4_U_0_lever_mz_by_limb4_S_fz,
             minus_limb3_U_0_lever_mz_by_limb3_S_fz, minus_limb2_U_0_lever_mz_by_limb2_S_fz,
             minus_determinant, limb1_lower_joint_sent_fy, limb1_lower_joint_sent_my,
@@ -7545,47 +8385,47 @@ def _forward_dynamics_first(*arguments):
     with np.errstate(all="ignore"):
         # limb1: geometry; rates that follow; inertia
         limb1_U_0_cos = np.cos(limb1_U_q_0)
-        t1 = 0.5235987755982989 + limb1_U_q_1
+        t1 = limb_lower_phase + limb1_U_q_1
         limb1_lower_sin = np.sin(t1)
-        limb1_upper_offset_x = 0.3 + limb1_P_q
-        minus_limb1_upper_position_x = 0.8 - limb1_lower_sin * limb1_upper_offset_x
+        limb1_upper_offset_x = limb_upper_phase + limb1_P_q
+        minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x
         limb1_lower_cos = np.cos(t1)
         minus_limb1_U_0_lever_mz_by_limb1_U2_fz = limb1_lower_cos * limb1_upper_offset_x
         t2 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz
         limb1_U_follows_0_by_limb1_U2_1 = minus_limb1_upper_position_x * t2
-        limb1_lower_composite_first_x = 1.42 * limb1_upper_offset_x
-        t3 = 0.426 - limb1_lower_composite_first_x
+        limb1_lower_composite_first_x = limb_lower_m * limb1_upper_offset_x
+        t3 = k7 - limb1_lower_composite_first_x
         t4 = limb1_upper_offset_x * t3
-        t5 = t4 - 2.2727
+        t5 = t4 - k8
         t6 = limb1_lower_cos * t5
-        limb1_U_mass_matrix_0_by_limb1_U_0 = 0.1112 - limb1_lower_cos * t6
+        limb1_U_mass_matrix_0_by_limb1_U_0 = k3 - limb1_lower_cos * t6
         t8 = limb1_U_follows_0_by_limb1_U2_1 * limb1_U_mass_matrix_0_by_limb1_U_0
         t9 = limb1_U_0_cos * t8
         # limb4: geometry; inertia; free motion
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
         limb4_U_0_sin = np.cos(limb4_U_q_0)
-        t10 = 2.6179938779914944 - limb4_U_q_1
+        t10 = limb_lower_phase_2 - limb4_U_q_1
         minus_limb4_lower_sin = np.sin(t10)
-        limb4_upper_offset_x = 0.3 + limb4_P_q
-        limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
+        limb4_upper_offset_x = limb_upper_phase + limb4_P_q
+        limb4_upper_position_y = param_R - minus_limb4_lower_sin * limb4_upper_offset_x
         limb4_lower_cos = np.cos(t10)
         minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x
         t11 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz
         minus_limb4_U_follows_0_by_limb4_S_1 = limb4_upper_position_y * t11
-        limb4_lower_composite_first_x = 1.42 * limb4_upper_offset_x
-        t12 = 0.426 - limb4_lower_composite_first_x
+        limb4_lower_composite_first_x = limb_lower_m * limb4_upper_offset_x
+        t12 = k7 - limb4_lower_composite_first_x
         t13 = limb4_upper_offset_x * t12
-        t14 = t13 - 2.2727
+        t14 = t13 - k8
         t15 = limb4_lower_cos * t14
-        limb4_U_mass_matrix_0_by_limb4_U_0 = 0.1112 - limb4_lower_cos * t15
+        limb4_U_mass_matrix_0_by_limb4_U_0 = k3 - limb4_lower_cos * t15
         t17 = minus_limb4_U_follows_0_by_limb4_S_1 * limb4_U_mass_matrix_0_by_limb4_U_0
         t18 = minus_limb4_U_follows_0_by_limb4_S_1 * t17
-        limb4_S_arm_y = 0.8 * limb4_lower_cos
-        t20 = limb4_S_arm_y * (1.136 * limb4_lower_cos)
-        limb4_S_arm_x = limb4_upper_offset_x - 0.8 * minus_limb4_lower_sin
+        limb4_S_arm_y = param_R * limb4_lower_cos
+        t20 = limb4_S_arm_y * (k20 * limb4_lower_cos)
+        limb4_S_arm_x = limb4_upper_offset_x - param_R * minus_limb4_lower_sin
         t22 = limb4_lower_cos * t11
         limb4_U_follows_1_by_limb4_S_0 = limb4_S_arm_x * t22
-        limb4_U_mass_matrix_1_by_limb4_U_1 = 2.3439 - t13
+        limb4_U_mass_matrix_1_by_limb4_U_1 = k9 - t13
         t24 = limb4_U_follows_1_by_limb4_S_0 * (limb4_U_mass_matrix_1_by_limb4_U_1 * limb4_U_follows_1_by_limb4_S_0)
         t25 = t20 + t24
         t27 = limb4_U_0_sin * (t18 - t25)
@@ -7605,51 +8445,51 @@ def _forward_dynamics_first(*arguments):
         t41 = limb5_S_q_qw * t40
         platform_turn_xz = t39 + t41
         platform_turn_zz = 1.0 - t37 * (t30 + t32)
-        t44 = 22.6251 * platform_turn_zz
+        t44 = k12 * platform_turn_zz
         t45 = platform_turn_xz * t44
         # limb3: geometry; rates that follow; inertia
         limb3_U_0_cos = np.cos(limb3_U_q_0)
-        t46 = 0.5235987755982989 - limb3_U_q_1
+        t46 = limb_lower_phase - limb3_U_q_1
         minus_limb3_lower_sin = np.sin(t46)
-        limb3_upper_offset_x = 0.3 + limb3_P_q
-        limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
+        limb3_upper_offset_x = limb_upper_phase + limb3_P_q
+        limb3_upper_position_x = param_R - minus_limb3_lower_sin * limb3_upper_offset_x
         limb3_lower_cos = np.cos(t46)
         minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x
         t47 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
         minus_limb3_U_follows_0_by_limb3_S_1 = limb3_upper_position_x * t47
-        limb3_lower_composite_first_x = 1.42 * limb3_upper_offset_x
-        t48 = 0.426 - limb3_lower_composite_first_x
+        limb3_lower_composite_first_x = limb_lower_m * limb3_upper_offset_x
+        t48 = k7 - limb3_lower_composite_first_x
         t49 = limb3_upper_offset_x * t48
-        t50 = t49 - 2.2727
+        t50 = t49 - k8
         t51 = limb3_lower_cos * t50
-        limb3_U_mass_matrix_0_by_limb3_U_0 = 0.1112 - limb3_lower_cos * t51
+        limb3_U_mass_matrix_0_by_limb3_U_0 = k3 - limb3_lower_cos * t51
         t53 = minus_limb3_U_follows_0_by_limb3_S_1 * limb3_U_mass_matrix_0_by_limb3_U_0
         t55 = t45 - limb3_U_0_cos * t53  # limb5_S
         # limb2: geometry; inertia; free motion
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
         limb2_U_0_sin = np.cos(limb2_U_q_0)
-        t56 = 2.6179938779914944 + limb2_U_q_1
+        t56 = limb_lower_phase_2 + limb2_U_q_1
         limb2_lower_sin = np.sin(t56)
-        limb2_upper_offset_x = 0.3 + limb2_P_q
-        minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
+        limb2_upper_offset_x = limb_upper_phase + limb2_P_q
+        minus_limb2_upper_position_y = param_R - limb2_lower_sin * limb2_upper_offset_x
         limb2_lower_cos = np.cos(t56)
         minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x
         t57 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
         limb2_U_follows_0_by_limb2_S_1 = minus_limb2_upper_position_y * t57
-        limb2_lower_composite_first_x = 1.42 * limb2_upper_offset_x
-        t58 = 0.426 - limb2_lower_composite_first_x
+        limb2_lower_composite_first_x = limb_lower_m * limb2_upper_offset_x
+        t58 = k7 - limb2_lower_composite_first_x
         t59 = limb2_upper_offset_x * t58
-        t60 = t59 - 2.2727
+        t60 = t59 - k8
         t61 = limb2_lower_cos * t60
-        limb2_U_mass_matrix_0_by_limb2_U_0 = 0.1112 - limb2_lower_cos * t61
+        limb2_U_mass_matrix_0_by_limb2_U_0 = k3 - limb2_lower_cos * t61
         t63 = limb2_U_follows_0_by_limb2_S_1 * limb2_U_mass_matrix_0_by_limb2_U_0
         t64 = limb2_U_follows_0_by_limb2_S_1 * t63
-        minus_limb2_S_arm_y = 0.8 * limb2_lower_cos
-        t66 = minus_limb2_S_arm_y * (1.136 * limb2_lower_cos)
-        limb2_S_arm_x = limb2_upper_offset_x - 0.8 * limb2_lower_sin
+        minus_limb2_S_arm_y = param_R * limb2_lower_cos
+        t66 = minus_limb2_S_arm_y * (k20 * limb2_lower_cos)
+        limb2_S_arm_x = limb2_upper_offset_x - param_R * limb2_lower_sin
         t68 = limb2_lower_cos * t57
         limb2_U_follows_1_by_limb2_S_0 = limb2_S_arm_x * t68
-        limb2_U_mass_matrix_1_by_limb2_U_1 = 2.3439 - t59
+        limb2_U_mass_matrix_1_by_limb2_U_1 = k9 - t59
         t70 = limb2_U_follows_1_by_limb2_S_0 * (limb2_U_mass_matrix_1_by_limb2_U_1 * limb2_U_follows_1_by_limb2_S_0)
         t71 = t66 + t70
         t73 = limb2_U_0_sin * (t64 - t71)
@@ -7664,7 +8504,9 @@ def _forward_dynamics_first(*arguments):
         limb1_U2_constraint_mn_couple_x = t79 + limb1_U_0_sin * platform_turn_zy
         limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x
         minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * t2
-        minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn - minus_limb1_upper_position_x * minus_limb1_U_factor_0_by_3
+        minus_limb1_U2_factor_1_by_3 = (
+            limb1_U_0_lever_my_by_limb1_U2_mn - minus_limb1_upper_position_x * minus_limb1_U_factor_0_by_3
+        )
         t85 = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3
         t88 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy
         t89 = limb1_lower_cos * t88
@@ -7672,7 +8514,7 @@ def _forward_dynamics_first(*arguments):
         t91 = limb5_S_q_qw * t38  # limb5_S
         platform_turn_xy = t90 - t91
         limb1_U2_constraint_mn_couple_z = t89 - limb1_lower_sin * platform_turn_xy
-        limb1_U2_arm_x = limb1_upper_offset_x - 0.8 * limb1_lower_sin
+        limb1_U2_arm_x = limb1_upper_offset_x - param_R * limb1_lower_sin
         t94 = limb1_lower_cos * t2
         limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * t94
         minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * limb1_U_factor_1_by_3
@@ -7716,14 +8558,18 @@ def _forward_dynamics_first(*arguments):
         t151 = t142 - limb1_U2_constraint_mn_couple_z * (t143 - limb1_lower_omega_y * t147)
         limb1_U2_opening_mn = limb1_lower_sin * t88 + limb1_lower_cos * platform_turn_xy
         t157 = t147 * (limb1_U2_opening_mn * t147 + limb1_U2_constraint_mn_couple_z * t138)
-        limb1_U2_opening_bias_mn = t151 - (t157 - t133 * (limb1_U2_constraint_mn_couple_x * t138 - limb1_U2_opening_mn * t133))
+        limb1_U2_opening_bias_mn = (
+            t151 - (t157 - t133 * (limb1_U2_constraint_mn_couple_x * t138 - limb1_U2_opening_mn * t133))
+        )
         t163 = limb1_U_v_0 * t119  # limb5_S
         t164 = limb1_U2_arm_x * t163  # limb5_S
         t165 = limb1_U_v_1 * limb1_P_v
-        t170 = t164 + t165 - t108 * (limb1_P_v - 0.8 * t120)  # limb5_S
+        t170 = t164 + t165 - t108 * (limb1_P_v - param_R * t120)  # limb5_S
         minus_limb5_S_joint_acc_still_wz = t97 * (t132 - (limb1_U2_opening_bias_mn - t170 * limb1_U_factor_1_by_3))
         t174 = limb5_S_handed_inertia_wz_by_limb5_S_wx * minus_limb5_S_joint_acc_still_wz  # limb5_S
-        minus_limb1_U_0_moment_z = limb1_lower_cos * (limb1_upper_offset_x * (13.9302 * limb1_U_0_sin))
+        minus_limb1_U_0_moment_z = (
+            limb1_lower_cos * (limb1_upper_offset_x * (limb_lower_m_gravity_z * limb1_U_0_sin))
+        )
         t177 = limb1_lower_sin * t6 + limb1_lower_cos * (limb1_lower_sin * t5)
         t179 = t177 * (limb1_U_v_0 * limb1_U_v_1)
         t180 = limb1_lower_composite_first_x - t3
@@ -7732,7 +8578,9 @@ def _forward_dynamics_first(*arguments):
         t187 = t2 * t131
         minus_limb1_U_handed_force_0 = t186 + limb1_U_mass_matrix_0_by_limb1_U_0 * t187
         # limb4: balance, eqs. (40)-(47)
-        limb4_U_0_moment_z = limb4_lower_cos * (limb4_upper_offset_x * (13.9302 * minus_limb4_U_0_cos))
+        limb4_U_0_moment_z = (
+            limb4_lower_cos * (limb4_upper_offset_x * (limb_lower_m_gravity_z * minus_limb4_U_0_cos))
+        )
         # limb4: free motion; velocities, eq. (6)
         t191 = minus_limb4_lower_sin * t15 + limb4_lower_cos * (minus_limb4_lower_sin * t14)
         t193 = t191 * (limb4_U_v_0 * limb4_U_v_1)
@@ -7753,7 +8601,9 @@ def _forward_dynamics_first(*arguments):
         minus_limb4_S_handed_force_1 = minus_limb4_U_follows_0_by_limb4_S_1 * limb4_U_handed_force_0
         t224 = minus_limb4_U_0_cos * minus_limb4_S_handed_force_1
         # limb2: balance, eqs. (40)-(47)
-        limb2_U_0_moment_z = limb2_lower_cos * (limb2_upper_offset_x * (13.9302 * minus_limb2_U_0_cos))
+        limb2_U_0_moment_z = (
+            limb2_lower_cos * (limb2_upper_offset_x * (limb_lower_m_gravity_z * minus_limb2_U_0_cos))
+        )
         # limb2: free motion; velocities, eq. (6)
         t227 = limb2_lower_sin * t61 + limb2_lower_cos * (limb2_lower_sin * t60)
         t229 = t227 * (limb2_U_v_0 * limb2_U_v_1)
@@ -7775,7 +8625,9 @@ def _forward_dynamics_first(*arguments):
         t260 = minus_limb2_U_0_cos * limb2_S_handed_force_1
         # limb3: geometry; balance, eqs. (40)-(47)
         limb3_U_0_sin = np.sin(limb3_U_q_0)
-        minus_limb3_U_0_moment_z = limb3_lower_cos * (limb3_upper_offset_x * (13.9302 * limb3_U_0_sin))
+        minus_limb3_U_0_moment_z = (
+            limb3_lower_cos * (limb3_upper_offset_x * (limb_lower_m_gravity_z * limb3_U_0_sin))
+        )
         # limb3: free motion; velocities, eq. (6)
         t263 = minus_limb3_lower_sin * t51 + limb3_lower_cos * (minus_limb3_lower_sin * t50)
         t265 = t263 * (limb3_U_v_0 * limb3_U_v_1)
@@ -7794,53 +8646,65 @@ def _forward_dynamics_first(*arguments):
         t294 = t47 * (t291 + platform_twist_wx * t281)
         minus_limb3_U_handed_force_0 = t272 - limb3_U_mass_matrix_0_by_limb3_U_0 * t294
         # limb4: accelerations
-        minus_limb4_U_0_acc_y = 9.81 * limb4_U_0_sin
+        minus_limb4_U_0_acc_y = gravity_z * limb4_U_0_sin
         # limb4: free motion; accelerations; balance, eqs. (40)-(47)
-        minus_limb4_P_generalised_force = 1.42 * (limb4_lower_cos * minus_limb4_U_0_acc_y) + limb4_P_u
+        minus_limb4_P_generalised_force = limb_lower_m * (limb4_lower_cos * minus_limb4_U_0_acc_y) + limb4_P_u
         minus_limb4_U_0_U_still_xx = limb4_U_v_0 * limb4_U_v_0
         t301 = minus_limb4_U_0_U_still_xx * (0.5 * t196) + limb4_U_v_1 * limb4_U_v_1 * (0.5 * t194)
         t302 = minus_limb4_P_generalised_force + t301
         t303 = limb4_U_v_0 * t214
-        t307 = limb4_S_arm_y * t303 + t203 * (0.8 * t206)
-        t309 = limb4_S_arm_y * (t302 - 1.42 * t307)
-        minus_limb4_lower_moment_z = limb4_upper_offset_x * (1.42 * (minus_limb4_lower_sin * minus_limb4_U_0_acc_y))
+        t307 = limb4_S_arm_y * t303 + t203 * (param_R * t206)
+        t309 = limb4_S_arm_y * (t302 - limb_lower_m * t307)
+        minus_limb4_lower_moment_z = (
+            limb4_upper_offset_x * (limb_lower_m * (minus_limb4_lower_sin * minus_limb4_U_0_acc_y))
+        )
         t311 = minus_limb4_U_0_U_still_xx * (0.5 * t191)
         t312 = limb4_U_v_1 * limb4_P_v
         t315 = minus_limb4_lower_moment_z - (t311 + t312 * t194)
-        t321 = limb4_S_arm_x * t303 + t312 + t203 * (limb4_P_v + 0.8 * t215)
+        t321 = limb4_S_arm_x * t303 + t312 + t203 * (limb4_P_v + param_R * t215)
         t322 = t321 * t22
-        limb4_S_handed_force_0 = t309 - limb4_U_follows_1_by_limb4_S_0 * (t315 + limb4_U_mass_matrix_1_by_limb4_U_1 * t322)
+        limb4_S_handed_force_0 = (
+            t309 - limb4_U_follows_1_by_limb4_S_0 * (t315 + limb4_U_mass_matrix_1_by_limb4_U_1 * t322)
+        )
         t325 = limb4_U_0_sin * limb4_S_handed_force_0
-        platform_rate_mx = 22.6251 * (limb5_S_v_wy * limb5_S_v_wz) - 14.62961126155784 * platform_turn_zy
+        platform_rate_mx = k12 * (limb5_S_v_wy * limb5_S_v_wz) - gravity_z_platform_mz * platform_turn_zy
         t327 = platform_turn_xx * platform_rate_mx  # platform
-        minus_platform_rate_my = 22.6251 * (limb5_S_v_wx * limb5_S_v_wz) - 14.62961126155784 * platform_turn_zx
+        minus_platform_rate_my = k12 * (limb5_S_v_wx * limb5_S_v_wz) - gravity_z_platform_mz * platform_turn_zx
         t330 = t327 - platform_turn_xy * minus_platform_rate_my  # platform
         # limb2: accelerations
-        minus_limb2_U_0_acc_y = 9.81 * limb2_U_0_sin
+        minus_limb2_U_0_acc_y = gravity_z * limb2_U_0_sin
         # limb2: free motion; accelerations; balance, eqs. (40)-(47)
-        minus_limb2_P_generalised_force = 1.42 * (limb2_lower_cos * minus_limb2_U_0_acc_y) + limb2_P_u
+        minus_limb2_P_generalised_force = limb_lower_m * (limb2_lower_cos * minus_limb2_U_0_acc_y) + limb2_P_u
         minus_limb2_U_0_U_still_xx = limb2_U_v_0 * limb2_U_v_0
         t336 = minus_limb2_U_0_U_still_xx * (0.5 * t232) + limb2_U_v_1 * limb2_U_v_1 * (0.5 * t230)
         t337 = minus_limb2_P_generalised_force + t336
         t338 = limb2_U_v_0 * t250
-        t342 = minus_limb2_S_arm_y * t338 - t239 * (0.8 * t242)
-        t344 = minus_limb2_S_arm_y * (t337 + 1.42 * t342)
-        limb2_lower_moment_z = limb2_upper_offset_x * (1.42 * (limb2_lower_sin * minus_limb2_U_0_acc_y))
+        t342 = minus_limb2_S_arm_y * t338 - t239 * (param_R * t242)
+        t344 = minus_limb2_S_arm_y * (t337 + limb_lower_m * t342)
+        limb2_lower_moment_z = limb2_upper_offset_x * (limb_lower_m * (limb2_lower_sin * minus_limb2_U_0_acc_y))
         t346 = minus_limb2_U_0_U_still_xx * (0.5 * t227)
         t347 = limb2_U_v_1 * limb2_P_v
         t350 = limb2_lower_moment_z - (t346 - t347 * t230)
-        t356 = limb2_S_arm_x * t338 + t347 + t239 * (limb2_P_v - 0.8 * t251)
+        t356 = limb2_S_arm_x * t338 + t347 + t239 * (limb2_P_v - param_R * t251)
         t357 = t356 * t68
-        minus_limb2_S_handed_force_0 = t344 - limb2_U_follows_1_by_limb2_S_0 * (t350 - limb2_U_mass_matrix_1_by_limb2_U_1 * t357)
-        t363 = minus_limb3_U_handed_force_0 - (t325 + (t330 - limb2_U_0_sin * minus_limb2_S_handed_force_0))  # limb5_S
+        minus_limb2_S_handed_force_0 = (
+            t344 - limb2_U_follows_1_by_limb2_S_0 * (t350 - limb2_U_mass_matrix_1_by_limb2_U_1 * t357)
+        )
+        t363 = (
+            minus_limb3_U_handed_force_0 - (t325 + (t330 - limb2_U_0_sin * minus_limb2_S_handed_force_0))
+        )  # limb5_S
         limb5_S_reduced_force_wx = t174 + (minus_limb1_U_handed_force_0 - (t224 - (t260 + t363)))
-        limb5_S_null_space_wz_by_limb5_S_wy = t97 * (limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - limb1_U_0_cos * minus_limb1_U2_factor_0_by_3)
+        limb5_S_null_space_wz_by_limb5_S_wy = (
+            t97 * (limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - limb1_U_0_cos * minus_limb1_U2_factor_0_by_3)
+        )
         # limb1: reciprocal wrenches, eq. (10); free motion; rates that follow
-        minus_limb1_U2_arm_y = 0.8 * limb1_lower_cos
-        t371 = minus_limb1_U2_arm_y * (1.136 * limb1_lower_cos)
+        minus_limb1_U2_arm_y = param_R * limb1_lower_cos
+        t371 = minus_limb1_U2_arm_y * (k20 * limb1_lower_cos)
         limb1_U_follows_1_by_limb1_U2_0 = limb1_U2_arm_x * t94
-        limb1_U_mass_matrix_1_by_limb1_U_1 = 2.3439 - t4
-        t373 = limb1_U_follows_1_by_limb1_U2_0 * (limb1_U_mass_matrix_1_by_limb1_U_1 * limb1_U_follows_1_by_limb1_U2_0)
+        limb1_U_mass_matrix_1_by_limb1_U_1 = k9 - t4
+        t373 = (
+            limb1_U_follows_1_by_limb1_U2_0 * (limb1_U_mass_matrix_1_by_limb1_U_1 * limb1_U_follows_1_by_limb1_U2_0)
+        )
         t374 = t371 + t373
         t375 = limb1_U_follows_0_by_limb1_U2_1 * t8
         t377 = limb1_U_0_cos * (t375 - t374)
@@ -7850,15 +8714,17 @@ def _forward_dynamics_first(*arguments):
         t381 = t25 + t380  # limb4
         t382 = limb2_U_0_sin * t73  # limb2
         t383 = t71 + t382  # limb2
-        t385 = 69.4749 + platform_turn_zz * t44  # platform
+        t385 = k13 + platform_turn_zz * t44  # platform
         # limb3: reciprocal wrenches, eq. (10); free motion; rates that follow
-        limb3_S_arm_y = 0.8 * limb3_lower_cos
-        t387 = limb3_S_arm_y * (1.136 * limb3_lower_cos)
-        limb3_S_arm_x = limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin
+        limb3_S_arm_y = param_R * limb3_lower_cos
+        t387 = limb3_S_arm_y * (k20 * limb3_lower_cos)
+        limb3_S_arm_x = limb3_upper_offset_x - param_R * minus_limb3_lower_sin
         t389 = limb3_lower_cos * t47
         limb3_U_follows_1_by_limb3_S_0 = limb3_S_arm_x * t389
-        limb3_U_mass_matrix_1_by_limb3_U_1 = 2.3439 - t49
-        t391 = limb3_U_follows_1_by_limb3_S_0 * (limb3_U_mass_matrix_1_by_limb3_U_1 * limb3_U_follows_1_by_limb3_S_0)
+        limb3_U_mass_matrix_1_by_limb3_U_1 = k9 - t49
+        t391 = (
+            limb3_U_follows_1_by_limb3_S_0 * (limb3_U_mass_matrix_1_by_limb3_U_1 * limb3_U_follows_1_by_limb3_S_0)
+        )
         t392 = t387 + t391
         t393 = minus_limb3_U_follows_0_by_limb3_S_1 * t53
         t395 = limb3_U_0_cos * (t393 - t392)
@@ -7872,45 +8738,49 @@ def _forward_dynamics_first(*arguments):
         t404 = limb2_U_0_sin * limb2_S_handed_force_1  # limb2
         limb3_S_handed_force_1 = minus_limb3_U_follows_0_by_limb3_S_1 * minus_limb3_U_handed_force_0
         t405 = limb3_U_0_cos * limb3_S_handed_force_1  # limb3
-        limb1_U_0_acc_y = 9.81 * limb1_U_0_cos
-        limb1_P_generalised_force = 1.42 * (limb1_lower_cos * limb1_U_0_acc_y) - limb1_P_u
+        limb1_U_0_acc_y = gravity_z * limb1_U_0_cos
+        limb1_P_generalised_force = limb_lower_m * (limb1_lower_cos * limb1_U_0_acc_y) - limb1_P_u
         minus_limb1_U_0_U_still_xx = limb1_U_v_0 * limb1_U_v_0
         t411 = minus_limb1_U_0_U_still_xx * (0.5 * t182) + limb1_U_v_1 * limb1_U_v_1 * (0.5 * t180)
         t412 = limb1_P_generalised_force - t411
-        t416 = minus_limb1_U2_arm_y * t163 + t108 * (0.8 * t111)
-        t418 = minus_limb1_U2_arm_y * (t412 - 1.42 * t416)
-        minus_limb1_lower_moment_z = limb1_upper_offset_x * (1.42 * (limb1_lower_sin * limb1_U_0_acc_y))
+        t416 = minus_limb1_U2_arm_y * t163 + t108 * (param_R * t111)
+        t418 = minus_limb1_U2_arm_y * (t412 - limb_lower_m * t416)
+        minus_limb1_lower_moment_z = limb1_upper_offset_x * (limb_lower_m * (limb1_lower_sin * limb1_U_0_acc_y))
         t423 = minus_limb1_lower_moment_z + (minus_limb1_U_0_U_still_xx * (0.5 * t177) - t165 * t180)
         t424 = t170 * t94
-        limb1_U2_handed_force_0 = t418 - limb1_U_follows_1_by_limb1_U2_0 * (t423 + limb1_U_mass_matrix_1_by_limb1_U_1 * t424)
+        limb1_U2_handed_force_0 = (
+            t418 - limb1_U_follows_1_by_limb1_U2_0 * (t423 + limb1_U_mass_matrix_1_by_limb1_U_1 * t424)
+        )
         t427 = limb1_U_0_sin * limb1_U2_handed_force_0
         t428 = minus_limb4_U_0_cos * limb4_S_handed_force_0  # limb4
         t429 = minus_limb2_U_0_cos * minus_limb2_S_handed_force_0  # limb2
         t432 = platform_turn_zx * platform_rate_mx - platform_turn_zy * minus_platform_rate_my  # platform
         # limb3: accelerations
-        limb3_U_0_acc_y = 9.81 * limb3_U_0_cos
+        limb3_U_0_acc_y = gravity_z * limb3_U_0_cos
         # limb3: free motion; accelerations; balance, eqs. (40)-(47)
-        limb3_P_generalised_force = 1.42 * (limb3_lower_cos * limb3_U_0_acc_y) - limb3_P_u
+        limb3_P_generalised_force = limb_lower_m * (limb3_lower_cos * limb3_U_0_acc_y) - limb3_P_u
         minus_limb3_U_0_U_still_xx = limb3_U_v_0 * limb3_U_v_0
         t438 = minus_limb3_U_0_U_still_xx * (0.5 * t268) + limb3_U_v_1 * limb3_U_v_1 * (0.5 * t266)
         t439 = limb3_P_generalised_force - t438
         t440 = limb3_U_v_0 * t286
-        t444 = limb3_S_arm_y * t440 - t275 * (0.8 * t278)
-        t446 = limb3_S_arm_y * (t439 + 1.42 * t444)
-        limb3_lower_moment_z = limb3_upper_offset_x * (1.42 * (minus_limb3_lower_sin * limb3_U_0_acc_y))
+        t444 = limb3_S_arm_y * t440 - t275 * (param_R * t278)
+        t446 = limb3_S_arm_y * (t439 + limb_lower_m * t444)
+        limb3_lower_moment_z = limb3_upper_offset_x * (limb_lower_m * (minus_limb3_lower_sin * limb3_U_0_acc_y))
         t448 = minus_limb3_U_0_U_still_xx * (0.5 * t263)
         t449 = limb3_U_v_1 * limb3_P_v
         t452 = limb3_lower_moment_z + (t448 + t449 * t266)
-        t458 = limb3_S_arm_x * t440 + t449 - t275 * (limb3_P_v + 0.8 * t287)
+        t458 = limb3_S_arm_x * t440 + t449 - t275 * (limb3_P_v + param_R * t287)
         t459 = t458 * t389
-        minus_limb3_S_handed_force_0 = t446 - limb3_U_follows_1_by_limb3_S_0 * (t452 - limb3_U_mass_matrix_1_by_limb3_U_1 * t459)
+        minus_limb3_S_handed_force_0 = (
+            t446 - limb3_U_follows_1_by_limb3_S_0 * (t452 - limb3_U_mass_matrix_1_by_limb3_U_1 * t459)
+        )
         t467 = t405 + (t427 - (t428 - (t429 + (t432 - limb3_U_0_sin * minus_limb3_S_handed_force_0))))  # limb5_S
         t471 = limb5_S_null_space_wz_by_limb5_S_wy * (t401 + (t402 - (t403 - (t404 - t467))))  # limb5_S
         t472 = limb1_U_0_sin * t377  # limb1
         t473 = limb4_U_0_sin * t17  # limb4
         t474 = limb2_U_0_sin * t63  # limb2
         # limb5_S: free motion; accelerations; pivots
-        t475 = 22.6251 * platform_turn_yz
+        t475 = k12 * platform_turn_yz
         t481 = t472 - (t473 - (t474 - (platform_turn_zz * t475 - limb3_U_0_sin * t395)))
         t482 = t481 * minus_limb5_S_joint_acc_still_wz
         t483 = limb1_U_0_sin * minus_limb1_U2_handed_force_1  # limb1
@@ -7921,41 +8791,65 @@ def _forward_dynamics_first(*arguments):
         limb5_S_reduced_force_wy = t471 - (t482 + (t483 + (limb4_U_handed_force_0 + t493)))
         t501 = platform_turn_xz * t475 + limb3_U_0_sin * t53 - minus_limb2_U_0_cos * t63
         t505 = t501 + minus_limb4_U_0_cos * t17 - limb1_U_0_sin * t8
-        limb5_S_reduced_inertia_wx_by_limb5_S_wy = t505 + limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_handed_inertia_wz_by_limb5_S_wx
+        limb5_S_reduced_inertia_wx_by_limb5_S_wy = (
+            t505 + limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_handed_inertia_wz_by_limb5_S_wx
+        )
         t507 = t375 - t378  # limb1
-        t513 = limb4_U_mass_matrix_0_by_limb4_U_0 + (limb2_U_mass_matrix_0_by_limb2_U_0 + (69.4749 + platform_turn_yz * t475 + (t393 - t396)))
+        t513 = (
+            limb4_U_mass_matrix_0_by_limb4_U_0 + (limb2_U_mass_matrix_0_by_limb2_U_0 + (k13 + platform_turn_yz *
+            t475 + (t393 - t396)))
+        )
         t514 = t507 + t513
-        t518 = limb5_S_null_space_wz_by_limb5_S_wy * (t481 + (t481 - limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_handed_inertia_wz))
+        t518 = (
+            limb5_S_null_space_wz_by_limb5_S_wy * (t481 + (t481 - limb5_S_null_space_wz_by_limb5_S_wy *
+            limb5_S_handed_inertia_wz))
+        )
         limb5_S_reduced_inertia_wy_by_limb5_S_wy = t514 - t518
         t519 = 1.0 / limb5_S_reduced_inertia_wy_by_limb5_S_wy
         t520 = limb5_S_reduced_inertia_wx_by_limb5_S_wy * t519
         t522 = limb5_S_reduced_force_wx - limb5_S_reduced_force_wy * t520
         t523 = t18 - t380  # limb4
-        t527 = limb3_U_mass_matrix_0_by_limb3_U_0 + (69.4749 + platform_turn_xz * (22.6251 * platform_turn_xz))
-        limb5_S_reduced_inertia_wx_by_limb5_S_wx = limb1_U_mass_matrix_0_by_limb1_U_0 + (t523 + (t527 + (t64 - t382)))
+        t527 = limb3_U_mass_matrix_0_by_limb3_U_0 + (k13 + platform_turn_xz * (k12 * platform_turn_xz))
+        limb5_S_reduced_inertia_wx_by_limb5_S_wx = (
+            limb1_U_mass_matrix_0_by_limb1_U_0 + (t523 + (t527 + (t64 - t382)))
+        )
         pivot_1 = limb5_S_reduced_inertia_wx_by_limb5_S_wx - limb5_S_reduced_inertia_wx_by_limb5_S_wy * t520
         limb5_S_joint_acc_wx = t522 / pivot_1
         minus_limb5_S_joint_acc_wy = t520 * limb5_S_joint_acc_wx - limb5_S_reduced_force_wy * t519
-        minus_limb5_S_joint_acc_wz = minus_limb5_S_joint_acc_still_wz + limb5_S_null_space_wz_by_limb5_S_wy * minus_limb5_S_joint_acc_wy
-        t538 = limb1_U_follows_0_by_limb1_U2_1 * (limb1_U_0_cos * minus_limb5_S_joint_acc_wz - limb1_U_0_sin * minus_limb5_S_joint_acc_wy)  # limb1
+        minus_limb5_S_joint_acc_wz = (
+            minus_limb5_S_joint_acc_still_wz + limb5_S_null_space_wz_by_limb5_S_wy * minus_limb5_S_joint_acc_wy
+        )
+        t538 = (
+            limb1_U_follows_0_by_limb1_U2_1 * (limb1_U_0_cos * minus_limb5_S_joint_acc_wz - limb1_U_0_sin *
+            minus_limb5_S_joint_acc_wy)
+        )  # limb1
         limb1_U_joint_acc_0 = limb5_S_joint_acc_wx - (t187 + t538)
         t542 = limb1_U_0_sin * minus_limb5_S_joint_acc_wz + limb1_U_0_cos * minus_limb5_S_joint_acc_wy  # limb1
         minus_limb1_U_joint_acc_1 = t424 + limb1_U_follows_1_by_limb1_U2_0 * t542
         limb1_U_joint_acc_1 = -minus_limb1_U_joint_acc_1
         minus_limb1_P_joint_acc = t416 + minus_limb1_U2_arm_y * t542
         limb1_P_joint_acc = -minus_limb1_P_joint_acc
-        t548 = limb2_U_follows_0_by_limb2_S_1 * (limb2_U_0_sin * minus_limb5_S_joint_acc_wz - minus_limb2_U_0_cos * limb5_S_joint_acc_wx)  # limb2
+        t548 = (
+            limb2_U_follows_0_by_limb2_S_1 * (limb2_U_0_sin * minus_limb5_S_joint_acc_wz - minus_limb2_U_0_cos *
+            limb5_S_joint_acc_wx)
+        )  # limb2
         limb2_U_joint_acc_0 = t258 + t548 - minus_limb5_S_joint_acc_wy
         t552 = minus_limb2_U_0_cos * minus_limb5_S_joint_acc_wz + limb2_U_0_sin * limb5_S_joint_acc_wx  # limb2
         limb2_U_joint_acc_1 = limb2_U_follows_1_by_limb2_S_0 * t552 - t357
         limb2_P_joint_acc = minus_limb2_S_arm_y * t552 - t342
-        t558 = minus_limb3_U_follows_0_by_limb3_S_1 * (limb3_U_0_cos * minus_limb5_S_joint_acc_wz - limb3_U_0_sin * minus_limb5_S_joint_acc_wy)  # limb3
+        t558 = (
+            minus_limb3_U_follows_0_by_limb3_S_1 * (limb3_U_0_cos * minus_limb5_S_joint_acc_wz - limb3_U_0_sin *
+            minus_limb5_S_joint_acc_wy)
+        )  # limb3
         limb3_U_joint_acc_0 = limb5_S_joint_acc_wx + (t294 + t558)
         t562 = limb3_U_0_sin * minus_limb5_S_joint_acc_wz + limb3_U_0_cos * minus_limb5_S_joint_acc_wy  # limb3
         minus_limb3_U_joint_acc_1 = t459 + limb3_U_follows_1_by_limb3_S_0 * t562
         limb3_U_joint_acc_1 = -minus_limb3_U_joint_acc_1
         limb3_P_joint_acc = t444 + limb3_S_arm_y * t562
-        t568 = minus_limb4_U_follows_0_by_limb4_S_1 * (limb4_U_0_sin * minus_limb5_S_joint_acc_wz - minus_limb4_U_0_cos * limb5_S_joint_acc_wx)  # limb4
+        t568 = (
+            minus_limb4_U_follows_0_by_limb4_S_1 * (limb4_U_0_sin * minus_limb5_S_joint_acc_wz - minus_limb4_U_0_cos
+            * limb5_S_joint_acc_wx)
+        )  # limb4
         minus_limb4_U_joint_acc_0 = minus_limb5_S_joint_acc_wy + (t222 + t568)
         limb4_U_joint_acc_0 = -minus_limb4_U_joint_acc_0
         t572 = minus_limb4_U_0_cos * minus_limb5_S_joint_acc_wz + limb4_U_0_sin * limb5_S_joint_acc_wx  # limb4
@@ -7963,32 +8857,46 @@ def _forward_dynamics_first(*arguments):
         limb4_P_joint_acc = t307 - limb4_S_arm_y * t572
         # platform: accelerations
         t575 = platform_turn_zx * minus_limb5_S_joint_acc_wz
-        minus_platform_alpha_x = t575 + (platform_turn_yx * minus_limb5_S_joint_acc_wy - platform_turn_xx * limb5_S_joint_acc_wx)
+        minus_platform_alpha_x = (
+            t575 + (platform_turn_yx * minus_limb5_S_joint_acc_wy - platform_turn_xx * limb5_S_joint_acc_wx)
+        )
         platform_alpha_x = -minus_platform_alpha_x
         t579 = platform_turn_zy * minus_limb5_S_joint_acc_wz
-        minus_platform_alpha_y = t579 + (platform_turn_yy * minus_limb5_S_joint_acc_wy - platform_turn_xy * limb5_S_joint_acc_wx)
+        minus_platform_alpha_y = (
+            t579 + (platform_turn_yy * minus_limb5_S_joint_acc_wy - platform_turn_xy * limb5_S_joint_acc_wx)
+        )
         platform_alpha_y = -minus_platform_alpha_y
         t583 = platform_turn_zz * minus_limb5_S_joint_acc_wz
-        minus_platform_alpha_z = t583 + (platform_turn_yz * minus_limb5_S_joint_acc_wy - platform_turn_xz * limb5_S_joint_acc_wx)
+        minus_platform_alpha_z = (
+            t583 + (platform_turn_yz * minus_limb5_S_joint_acc_wy - platform_turn_xz * limb5_S_joint_acc_wx)
+        )
         platform_alpha_z = -minus_platform_alpha_z
+        guards = (  # status 1 where a pivot is smaller than its limit:
+            (minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-06),  # where the reciprocal wrench limb3_S.fz has no
+            # power along limb3_U.0, as in a stretched limb
+            (minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-06),  # where the reciprocal wrench limb2_S.fz has no
+            # power along limb2_U.0, as in a stretched limb
+            (minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-06),  # where the reciprocal wrench limb4_S.fz has no
+            # power along limb4_U.0, as in a stretched limb
+            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-06),  # where the reciprocal wrench limb1_U2.fz has
+            # no power along limb1_U.0, as in a stretched limb
+            (minus_limb5_S_pivot_wz, 1.0e-05),  # where the loops no longer determine limb5_S.wz
+            (limb5_S_reduced_inertia_wy_by_limb5_S_wy, 0.0007562600000000001),  # where limb5_S.wy feels no inertia
+            (pivot_1, 0.0007551200000000001),  # where step 1 of symmetric equations loses rank: of drives, inertia
+            # or internal loads
+        )
         return _finish(batch, ((limb1_U_joint_acc_0, limb1_U_joint_acc_1, limb1_P_joint_acc,
             limb2_U_joint_acc_0, limb2_U_joint_acc_1, limb2_P_joint_acc, limb3_U_joint_acc_0,
             limb3_U_joint_acc_1, limb3_P_joint_acc, limb4_U_joint_acc_0, limb4_U_joint_acc_1,
-            limb4_P_joint_acc, platform_alpha_x, platform_alpha_y, platform_alpha_z),),
-            ((minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-06),
-            (minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-06),
-            (minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-06),
-            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-06), (minus_limb5_S_pivot_wz,
-            1.0e-05), (limb5_S_reduced_inertia_wy_by_limb5_S_wy, 0.0007562600000000001), (pivot_1,
-            0.0007551200000000001)), (minus_limb1_U_0_lever_mz_by_limb1_U2_fz,
-            minus_limb4_U_0_lever_mz_by_limb4_S_fz, minus_limb3_U_0_lever_mz_by_limb3_S_fz,
-            minus_limb2_U_0_lever_mz_by_limb2_S_fz, minus_limb5_S_pivot_wz,
-            limb5_S_reduced_inertia_wy_by_limb5_S_wy, pivot_1, limb1_U_joint_acc_0,
-            minus_limb1_U_joint_acc_1, minus_limb1_P_joint_acc, limb2_U_joint_acc_0,
-            limb2_U_joint_acc_1, limb2_P_joint_acc, limb3_U_joint_acc_0, minus_limb3_U_joint_acc_1,
-            limb3_P_joint_acc, minus_limb4_U_joint_acc_0, limb4_U_joint_acc_1, limb4_P_joint_acc,
-            minus_platform_alpha_x, minus_platform_alpha_y, minus_platform_alpha_z), ((t35,
-            0.999999, 1.000001, 5),))
+            limb4_P_joint_acc, platform_alpha_x, platform_alpha_y, platform_alpha_z),), guards,
+            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, minus_limb4_U_0_lever_mz_by_limb4_S_fz,
+            minus_limb3_U_0_lever_mz_by_limb3_S_fz, minus_limb2_U_0_lever_mz_by_limb2_S_fz,
+            minus_limb5_S_pivot_wz, limb5_S_reduced_inertia_wy_by_limb5_S_wy, pivot_1,
+            limb1_U_joint_acc_0, minus_limb1_U_joint_acc_1, minus_limb1_P_joint_acc,
+            limb2_U_joint_acc_0, limb2_U_joint_acc_1, limb2_P_joint_acc, limb3_U_joint_acc_0,
+            minus_limb3_U_joint_acc_1, limb3_P_joint_acc, minus_limb4_U_joint_acc_0,
+            limb4_U_joint_acc_1, limb4_P_joint_acc, minus_platform_alpha_x, minus_platform_alpha_y,
+            minus_platform_alpha_z), ((t35, 0.999999, 1.000001, 5),))
 
 
 def _forward_dynamics_dense(*arguments):
@@ -8003,30 +8911,30 @@ def _forward_dynamics_dense(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # limb1: geometry; accelerations; balance, eqs. (40)-(47)
-        t1 = 0.5235987755982989 + limb1_U_q_1
+        t1 = limb_lower_phase + limb1_U_q_1
         limb1_lower_cos = np.cos(t1)
-        limb1_upper_offset_x = 0.3 + limb1_P_q
-        t3 = limb1_upper_offset_x * (0.426 - 1.42 * limb1_upper_offset_x)
-        limb1_U_mass_matrix_0_by_limb1_U_0 = 0.1112 - limb1_lower_cos * (limb1_lower_cos * (t3 - 2.2727))
-        limb1_U_mass_matrix_1_by_limb1_U_1 = 2.3439 - t3
-        t7 = 2.6179938779914944 + limb2_U_q_1  # limb2
+        limb1_upper_offset_x = limb_upper_phase + limb1_P_q
+        t3 = limb1_upper_offset_x * (k7 - limb_lower_m * limb1_upper_offset_x)
+        limb1_U_mass_matrix_0_by_limb1_U_0 = k3 - limb1_lower_cos * (limb1_lower_cos * (t3 - k8))
+        limb1_U_mass_matrix_1_by_limb1_U_1 = k9 - t3
+        t7 = limb_lower_phase_2 + limb2_U_q_1  # limb2
         limb2_lower_cos = np.cos(t7)
-        limb2_upper_offset_x = 0.3 + limb2_P_q
-        t9 = limb2_upper_offset_x * (0.426 - 1.42 * limb2_upper_offset_x)  # limb2
-        limb2_U_mass_matrix_0_by_limb2_U_0 = 0.1112 - limb2_lower_cos * (limb2_lower_cos * (t9 - 2.2727))
-        limb2_U_mass_matrix_1_by_limb2_U_1 = 2.3439 - t9
-        t13 = 0.5235987755982989 - limb3_U_q_1  # limb3
+        limb2_upper_offset_x = limb_upper_phase + limb2_P_q
+        t9 = limb2_upper_offset_x * (k7 - limb_lower_m * limb2_upper_offset_x)  # limb2
+        limb2_U_mass_matrix_0_by_limb2_U_0 = k3 - limb2_lower_cos * (limb2_lower_cos * (t9 - k8))
+        limb2_U_mass_matrix_1_by_limb2_U_1 = k9 - t9
+        t13 = limb_lower_phase - limb3_U_q_1  # limb3
         limb3_lower_cos = np.cos(t13)
-        limb3_upper_offset_x = 0.3 + limb3_P_q
-        t15 = limb3_upper_offset_x * (0.426 - 1.42 * limb3_upper_offset_x)  # limb3
-        limb3_U_mass_matrix_0_by_limb3_U_0 = 0.1112 - limb3_lower_cos * (limb3_lower_cos * (t15 - 2.2727))
-        limb3_U_mass_matrix_1_by_limb3_U_1 = 2.3439 - t15
-        t19 = 2.6179938779914944 - limb4_U_q_1  # limb4
+        limb3_upper_offset_x = limb_upper_phase + limb3_P_q
+        t15 = limb3_upper_offset_x * (k7 - limb_lower_m * limb3_upper_offset_x)  # limb3
+        limb3_U_mass_matrix_0_by_limb3_U_0 = k3 - limb3_lower_cos * (limb3_lower_cos * (t15 - k8))
+        limb3_U_mass_matrix_1_by_limb3_U_1 = k9 - t15
+        t19 = limb_lower_phase_2 - limb4_U_q_1  # limb4
         limb4_lower_cos = np.cos(t19)
-        limb4_upper_offset_x = 0.3 + limb4_P_q
-        t21 = limb4_upper_offset_x * (0.426 - 1.42 * limb4_upper_offset_x)  # limb4
-        limb4_U_mass_matrix_0_by_limb4_U_0 = 0.1112 - limb4_lower_cos * (limb4_lower_cos * (t21 - 2.2727))
-        limb4_U_mass_matrix_1_by_limb4_U_1 = 2.3439 - t21
+        limb4_upper_offset_x = limb_upper_phase + limb4_P_q
+        t21 = limb4_upper_offset_x * (k7 - limb_lower_m * limb4_upper_offset_x)  # limb4
+        limb4_U_mass_matrix_0_by_limb4_U_0 = k3 - limb4_lower_cos * (limb4_lower_cos * (t21 - k8))
+        limb4_U_mass_matrix_1_by_limb4_U_1 = k9 - t21
         limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos
         t26 = limb1_P_v * (2.0 * limb1_lower_omega_y)
         limb1_lower_sin = np.sin(t1)
@@ -8034,27 +8942,39 @@ def _forward_dynamics_dense(*arguments):
         minus_limb1_lower_alpha_still_y = limb1_U_v_1 * limb1_lower_omega_x
         t27 = limb1_upper_offset_x * (2.0 * minus_limb1_lower_alpha_still_y)
         limb1_U_0_sin = np.sin(limb1_U_q_0)
-        minus_limb1_upper_acc_still_z = t26 - (t27 + 9.81 * limb1_U_0_sin)
-        minus_limb1_upper_rate_my = 0.213 * minus_limb1_upper_acc_still_z
-        t29 = limb1_upper_offset_x * (0.426 * minus_limb1_lower_alpha_still_y + 1.42 * minus_limb1_upper_acc_still_z)
+        minus_limb1_upper_acc_still_z = t26 - (t27 + gravity_z * limb1_U_0_sin)
+        minus_limb1_upper_rate_my = limb_lower_mx * minus_limb1_upper_acc_still_z
+        t29 = (
+            limb1_upper_offset_x * (k7 * minus_limb1_lower_alpha_still_y + limb_lower_m *
+            minus_limb1_upper_acc_still_z)
+        )
         t30 = minus_limb1_upper_rate_my - t29
-        t32 = limb1_lower_cos * (t30 + (2.08953 * limb1_U_0_sin + 4.6166 * minus_limb1_lower_alpha_still_y))
+        t32 = (
+            limb1_lower_cos * (t30 + (gravity_z_limb_lower_mx * limb1_U_0_sin + k11 *
+            minus_limb1_lower_alpha_still_y))
+        )
         limb1_lower_alpha_still_x = limb1_U_v_1 * limb1_lower_omega_y
-        minus_limb1_U_0_moment_z = t32 - limb1_lower_sin * (0.0712 * limb1_lower_alpha_still_x)
+        minus_limb1_U_0_moment_z = t32 - limb1_lower_sin * (k10 * limb1_lower_alpha_still_x)
         t35 = limb1_P_v * (2.0 * limb1_U_v_1)
         limb1_lower_U_still_xy = limb1_lower_omega_x * limb1_lower_omega_y
         t36 = limb1_upper_offset_x * limb1_lower_U_still_xy
         limb1_U_0_cos = np.cos(limb1_U_q_0)
-        limb1_U_0_acc_y = 9.81 * limb1_U_0_cos
+        limb1_U_0_acc_y = gravity_z * limb1_U_0_cos
         minus_limb1_lower_acc_y = limb1_lower_sin * limb1_U_0_acc_y
         limb1_upper_acc_still_y = t35 + (t36 - minus_limb1_lower_acc_y)
-        minus_limb1_upper_rate_mz = 0.213 * limb1_upper_acc_still_y
-        t39 = minus_limb1_upper_rate_mz + limb1_upper_offset_x * (0.213 * limb1_lower_U_still_xy - 1.42 * limb1_upper_acc_still_y)
-        minus_limb1_lower_moment_z = t39 - (2.2727 * limb1_lower_U_still_xy - 0.213 * minus_limb1_lower_acc_y)
+        minus_limb1_upper_rate_mz = limb_lower_mx * limb1_upper_acc_still_y
+        t38 = (
+            limb1_upper_offset_x * (limb_lower_mx * limb1_lower_U_still_xy - limb_lower_m * limb1_upper_acc_still_y)
+        )
+        t39 = minus_limb1_upper_rate_mz + t38
+        minus_limb1_lower_moment_z = t39 - (k8 * limb1_lower_U_still_xy - limb_lower_mx * minus_limb1_lower_acc_y)
         minus_limb1_lower_U_still_xx = limb1_lower_omega_y * limb1_lower_omega_y + limb1_U_v_1 * limb1_U_v_1
-        minus_limb1_lower_rate_fx = 0.213 * minus_limb1_lower_U_still_xx
+        minus_limb1_lower_rate_fx = limb_lower_mx * minus_limb1_lower_U_still_xx
         minus_limb1_upper_acc_still_x = limb1_upper_offset_x * minus_limb1_lower_U_still_xx
-        limb1_upper_rate_fx = minus_limb1_lower_rate_fx - 1.42 * (minus_limb1_upper_acc_still_x - limb1_lower_cos * limb1_U_0_acc_y)
+        limb1_upper_rate_fx = (
+            minus_limb1_lower_rate_fx - limb_lower_m * (minus_limb1_upper_acc_still_x - limb1_lower_cos *
+            limb1_U_0_acc_y)
+        )
         minus_limb1_P_generalised_force = limb1_P_u - limb1_upper_rate_fx
         # limb2: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
         limb2_lower_omega_y = limb2_U_v_0 * limb2_lower_cos
@@ -8064,89 +8984,117 @@ def _forward_dynamics_dense(*arguments):
         minus_limb2_lower_alpha_still_y = limb2_U_v_1 * limb2_lower_omega_x
         t45 = limb2_upper_offset_x * (2.0 * minus_limb2_lower_alpha_still_y)
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
-        minus_limb2_upper_acc_still_z = t44 - (t45 - 9.81 * minus_limb2_U_0_cos)
-        minus_limb2_upper_rate_my = 0.213 * minus_limb2_upper_acc_still_z
-        t47 = limb2_upper_offset_x * (0.426 * minus_limb2_lower_alpha_still_y + 1.42 * minus_limb2_upper_acc_still_z)
+        minus_limb2_upper_acc_still_z = t44 - (t45 - gravity_z * minus_limb2_U_0_cos)
+        minus_limb2_upper_rate_my = limb_lower_mx * minus_limb2_upper_acc_still_z
+        t47 = (
+            limb2_upper_offset_x * (k7 * minus_limb2_lower_alpha_still_y + limb_lower_m *
+            minus_limb2_upper_acc_still_z)
+        )
         t48 = minus_limb2_upper_rate_my - t47
-        t50 = limb2_lower_cos * (t48 - (2.08953 * minus_limb2_U_0_cos - 4.6166 * minus_limb2_lower_alpha_still_y))
-        minus_limb2_U_0_moment_z = t50 - limb2_lower_sin * (0.0712 * (limb2_U_v_1 * limb2_lower_omega_y))
+        minus_limb2_lower_moment_y = (
+            t48 - (gravity_z_limb_lower_mx * minus_limb2_U_0_cos - k11 * minus_limb2_lower_alpha_still_y)
+        )
+        t50 = limb2_lower_cos * minus_limb2_lower_moment_y
+        minus_limb2_U_0_moment_z = t50 - limb2_lower_sin * (k10 * (limb2_U_v_1 * limb2_lower_omega_y))
         t53 = limb2_P_v * (2.0 * limb2_U_v_1)
         limb2_lower_U_still_xy = limb2_lower_omega_x * limb2_lower_omega_y
         t54 = limb2_upper_offset_x * limb2_lower_U_still_xy
         limb2_U_0_sin = np.cos(limb2_U_q_0)
-        minus_limb2_U_0_acc_y = 9.81 * limb2_U_0_sin
+        minus_limb2_U_0_acc_y = gravity_z * limb2_U_0_sin
         limb2_lower_acc_y = limb2_lower_sin * minus_limb2_U_0_acc_y
         limb2_upper_acc_still_y = t53 + (t54 + limb2_lower_acc_y)
-        minus_limb2_upper_rate_mz = 0.213 * limb2_upper_acc_still_y
-        t57 = minus_limb2_upper_rate_mz + limb2_upper_offset_x * (0.213 * limb2_lower_U_still_xy - 1.42 * limb2_upper_acc_still_y)
-        minus_limb2_lower_moment_z = t57 - (2.2727 * limb2_lower_U_still_xy + 0.213 * limb2_lower_acc_y)
+        minus_limb2_upper_rate_mz = limb_lower_mx * limb2_upper_acc_still_y
+        t56 = (
+            limb2_upper_offset_x * (limb_lower_mx * limb2_lower_U_still_xy - limb_lower_m * limb2_upper_acc_still_y)
+        )
+        t57 = minus_limb2_upper_rate_mz + t56
+        minus_limb2_lower_moment_z = t57 - (k8 * limb2_lower_U_still_xy + limb_lower_mx * limb2_lower_acc_y)
         minus_limb2_lower_U_still_xx = limb2_lower_omega_y * limb2_lower_omega_y + limb2_U_v_1 * limb2_U_v_1
-        minus_limb2_lower_rate_fx = 0.213 * minus_limb2_lower_U_still_xx
+        minus_limb2_lower_rate_fx = limb_lower_mx * minus_limb2_lower_U_still_xx
         minus_limb2_upper_acc_still_x = limb2_upper_offset_x * minus_limb2_lower_U_still_xx
-        limb2_upper_rate_fx = minus_limb2_lower_rate_fx - 1.42 * (minus_limb2_upper_acc_still_x + limb2_lower_cos * minus_limb2_U_0_acc_y)
+        limb2_upper_rate_fx = (
+            minus_limb2_lower_rate_fx - limb_lower_m * (minus_limb2_upper_acc_still_x + limb2_lower_cos *
+            minus_limb2_U_0_acc_y)
+        )
         minus_limb2_P_generalised_force = limb2_P_u - limb2_upper_rate_fx
         # limb3: balance, eqs. (40)-(47); accelerations; momentum rate, eq. (35)
         minus_limb3_lower_sin = np.sin(t13)
         limb3_lower_omega_y = limb3_U_v_0 * limb3_lower_cos
-        t61 = minus_limb3_lower_sin * (0.0712 * (limb3_U_v_1 * limb3_lower_omega_y))
+        t61 = minus_limb3_lower_sin * (k10 * (limb3_U_v_1 * limb3_lower_omega_y))
         t63 = limb3_P_v * (2.0 * limb3_lower_omega_y)
         minus_limb3_lower_omega_x = limb3_U_v_0 * minus_limb3_lower_sin
         limb3_lower_alpha_still_y = limb3_U_v_1 * minus_limb3_lower_omega_x
         t64 = limb3_upper_offset_x * (2.0 * limb3_lower_alpha_still_y)
         limb3_U_0_sin = np.sin(limb3_U_q_0)
-        minus_limb3_upper_acc_still_z = t63 + (t64 - 9.81 * limb3_U_0_sin)
-        minus_limb3_upper_rate_my = 0.213 * minus_limb3_upper_acc_still_z
-        t66 = limb3_upper_offset_x * (0.426 * limb3_lower_alpha_still_y - 1.42 * minus_limb3_upper_acc_still_z)
-        minus_limb3_lower_moment_y = minus_limb3_upper_rate_my + t66 + (2.08953 * limb3_U_0_sin - 4.6166 * limb3_lower_alpha_still_y)
-        minus_limb3_U_0_moment_z = t61 + limb3_lower_cos * minus_limb3_lower_moment_y
+        minus_limb3_upper_acc_still_z = t63 + (t64 - gravity_z * limb3_U_0_sin)
+        minus_limb3_upper_rate_my = limb_lower_mx * minus_limb3_upper_acc_still_z
+        t66 = limb3_upper_offset_x * (k7 * limb3_lower_alpha_still_y - limb_lower_m * minus_limb3_upper_acc_still_z)
+        t67 = minus_limb3_upper_rate_my + t66
+        t69 = limb3_lower_cos * (t67 + (gravity_z_limb_lower_mx * limb3_U_0_sin - k11 * limb3_lower_alpha_still_y))
+        minus_limb3_U_0_moment_z = t61 + t69
         minus_limb3_lower_U_still_xy = minus_limb3_lower_omega_x * limb3_lower_omega_y
-        t70 = 2.2727 * minus_limb3_lower_U_still_xy
+        t70 = k8 * minus_limb3_lower_U_still_xy
         limb3_U_0_cos = np.cos(limb3_U_q_0)
-        limb3_U_0_acc_y = 9.81 * limb3_U_0_cos
+        limb3_U_0_acc_y = gravity_z * limb3_U_0_cos
         limb3_lower_acc_y = minus_limb3_lower_sin * limb3_U_0_acc_y
-        minus_limb3_lower_rate_mz = t70 - 0.213 * limb3_lower_acc_y
+        minus_limb3_lower_rate_mz = t70 - limb_lower_mx * limb3_lower_acc_y
         t72 = limb3_P_v * (2.0 * limb3_U_v_1)
         t73 = limb3_upper_offset_x * minus_limb3_lower_U_still_xy
         limb3_upper_acc_still_y = t72 - (t73 - limb3_lower_acc_y)
-        minus_limb3_upper_rate_mz = 0.213 * limb3_upper_acc_still_y
-        t75 = limb3_upper_offset_x * (0.213 * minus_limb3_lower_U_still_xy + 1.42 * limb3_upper_acc_still_y)
+        minus_limb3_upper_rate_mz = limb_lower_mx * limb3_upper_acc_still_y
+        t75 = (
+            limb3_upper_offset_x * (limb_lower_mx * minus_limb3_lower_U_still_xy + limb_lower_m *
+            limb3_upper_acc_still_y)
+        )
         minus_limb3_lower_moment_z = minus_limb3_lower_rate_mz + (minus_limb3_upper_rate_mz - t75)
         minus_limb3_lower_U_still_xx = limb3_lower_omega_y * limb3_lower_omega_y + limb3_U_v_1 * limb3_U_v_1
-        minus_limb3_lower_rate_fx = 0.213 * minus_limb3_lower_U_still_xx
+        minus_limb3_lower_rate_fx = limb_lower_mx * minus_limb3_lower_U_still_xx
         minus_limb3_upper_acc_still_x = limb3_upper_offset_x * minus_limb3_lower_U_still_xx
-        limb3_upper_rate_fx = minus_limb3_lower_rate_fx - 1.42 * (minus_limb3_upper_acc_still_x - limb3_lower_cos * limb3_U_0_acc_y)
+        limb3_upper_rate_fx = (
+            minus_limb3_lower_rate_fx - limb_lower_m * (minus_limb3_upper_acc_still_x - limb3_lower_cos *
+            limb3_U_0_acc_y)
+        )
         minus_limb3_P_generalised_force = limb3_P_u - limb3_upper_rate_fx
         # limb4: balance, eqs. (40)-(47); accelerations; momentum rate, eq. (35)
         minus_limb4_lower_sin = np.sin(t19)
         limb4_lower_omega_y = limb4_U_v_0 * limb4_lower_cos
-        t79 = minus_limb4_lower_sin * (0.0712 * (limb4_U_v_1 * limb4_lower_omega_y))
+        t79 = minus_limb4_lower_sin * (k10 * (limb4_U_v_1 * limb4_lower_omega_y))
         t81 = limb4_P_v * (2.0 * limb4_lower_omega_y)
         minus_limb4_lower_omega_x = limb4_U_v_0 * minus_limb4_lower_sin
         limb4_lower_alpha_still_y = limb4_U_v_1 * minus_limb4_lower_omega_x
         t82 = limb4_upper_offset_x * (2.0 * limb4_lower_alpha_still_y)
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
-        minus_limb4_upper_acc_still_z = t81 + (t82 + 9.81 * minus_limb4_U_0_cos)
-        minus_limb4_upper_rate_my = 0.213 * minus_limb4_upper_acc_still_z
-        t84 = limb4_upper_offset_x * (0.426 * limb4_lower_alpha_still_y - 1.42 * minus_limb4_upper_acc_still_z)
+        minus_limb4_upper_acc_still_z = t81 + (t82 + gravity_z * minus_limb4_U_0_cos)
+        minus_limb4_upper_rate_my = limb_lower_mx * minus_limb4_upper_acc_still_z
+        t84 = limb4_upper_offset_x * (k7 * limb4_lower_alpha_still_y - limb_lower_m * minus_limb4_upper_acc_still_z)
         t85 = minus_limb4_upper_rate_my + t84
-        t87 = limb4_lower_cos * (t85 - (2.08953 * minus_limb4_U_0_cos + 4.6166 * limb4_lower_alpha_still_y))
+        t87 = (
+            limb4_lower_cos * (t85 - (gravity_z_limb_lower_mx * minus_limb4_U_0_cos + k11 *
+            limb4_lower_alpha_still_y))
+        )
         minus_limb4_U_0_moment_z = t79 + t87
         minus_limb4_lower_U_still_xy = minus_limb4_lower_omega_x * limb4_lower_omega_y
-        t88 = 2.2727 * minus_limb4_lower_U_still_xy
+        t88 = k8 * minus_limb4_lower_U_still_xy
         limb4_U_0_sin = np.cos(limb4_U_q_0)
-        minus_limb4_U_0_acc_y = 9.81 * limb4_U_0_sin
+        minus_limb4_U_0_acc_y = gravity_z * limb4_U_0_sin
         minus_limb4_lower_acc_y = minus_limb4_lower_sin * minus_limb4_U_0_acc_y
-        minus_limb4_lower_rate_mz = t88 + 0.213 * minus_limb4_lower_acc_y
+        minus_limb4_lower_rate_mz = t88 + limb_lower_mx * minus_limb4_lower_acc_y
         t90 = limb4_P_v * (2.0 * limb4_U_v_1)
         t91 = limb4_upper_offset_x * minus_limb4_lower_U_still_xy
         limb4_upper_acc_still_y = t90 - (t91 + minus_limb4_lower_acc_y)
-        minus_limb4_upper_rate_mz = 0.213 * limb4_upper_acc_still_y
-        t93 = limb4_upper_offset_x * (0.213 * minus_limb4_lower_U_still_xy + 1.42 * limb4_upper_acc_still_y)
+        minus_limb4_upper_rate_mz = limb_lower_mx * limb4_upper_acc_still_y
+        t93 = (
+            limb4_upper_offset_x * (limb_lower_mx * minus_limb4_lower_U_still_xy + limb_lower_m *
+            limb4_upper_acc_still_y)
+        )
         minus_limb4_lower_moment_z = minus_limb4_lower_rate_mz + (minus_limb4_upper_rate_mz - t93)
         minus_limb4_lower_U_still_xx = limb4_lower_omega_y * limb4_lower_omega_y + limb4_U_v_1 * limb4_U_v_1
-        minus_limb4_lower_rate_fx = 0.213 * minus_limb4_lower_U_still_xx
+        minus_limb4_lower_rate_fx = limb_lower_mx * minus_limb4_lower_U_still_xx
         minus_limb4_upper_acc_still_x = limb4_upper_offset_x * minus_limb4_lower_U_still_xx
-        limb4_upper_rate_fx = minus_limb4_lower_rate_fx - 1.42 * (minus_limb4_upper_acc_still_x + limb4_lower_cos * minus_limb4_U_0_acc_y)
+        limb4_upper_rate_fx = (
+            minus_limb4_lower_rate_fx - limb_lower_m * (minus_limb4_upper_acc_still_x + limb4_lower_cos *
+            minus_limb4_U_0_acc_y)
+        )
         minus_limb4_P_generalised_force = limb4_P_u - limb4_upper_rate_fx
         # mechanism: geometry; reciprocal wrenches, eq. (10); loop closure
         t97 = limb5_S_q_qw * limb5_S_q_qw
@@ -8161,13 +9109,13 @@ def _forward_dynamics_dense(*arguments):
         t107 = limb5_S_q_qy * t106
         t109 = limb5_S_q_qw * (limb5_S_q_qx * t105)
         platform_turn_zy = t107 + t109
-        minus_platform_rate_mx = 14.62961126155784 * platform_turn_zy - 22.6251 * (limb5_S_v_wy * limb5_S_v_wz)
-        t111 = 22.6251 * (limb5_S_v_wx * limb5_S_v_wz)
+        minus_platform_rate_mx = gravity_z_platform_mz * platform_turn_zy - k12 * (limb5_S_v_wy * limb5_S_v_wz)
+        t111 = k12 * (limb5_S_v_wx * limb5_S_v_wz)
         t112 = limb5_S_q_qx * t106
         t113 = limb5_S_q_qy * t105
         t114 = limb5_S_q_qw * t113
         platform_turn_zx = t112 - t114
-        minus_platform_rate_my = t111 - 14.62961126155784 * platform_turn_zx
+        minus_platform_rate_my = t111 - gravity_z_platform_mz * platform_turn_zx
         minus_limb1_U_0_lever_mz_by_limb1_U2_fz = limb1_lower_cos * limb1_upper_offset_x
         limb1_U_0_lever_mz_by_limb1_U2_fz = -minus_limb1_U_0_lever_mz_by_limb1_U2_fz
         platform_turn_yy = 1.0 - t105 * (t98 + t101)
@@ -8186,19 +9134,23 @@ def _forward_dynamics_dense(*arguments):
         minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x
         limb4_U_0_lever_mz_by_limb4_S_fz = -minus_limb4_U_0_lever_mz_by_limb4_S_fz
         platform_turn_yx = t123 + t124
-        base_lever_my_by_limb1_U2_fx = 0.8 * (limb1_U_0_cos * limb1_lower_cos)
+        base_lever_my_by_limb1_U2_fx = param_R * (limb1_U_0_cos * limb1_lower_cos)
         t126 = platform_turn_yx * base_lever_my_by_limb1_U2_fx
-        base_lever_mz_by_limb1_U2_fx = 0.8 * (limb1_U_0_sin * limb1_lower_cos)
+        base_lever_mz_by_limb1_U2_fx = param_R * (limb1_U_0_sin * limb1_lower_cos)
         t128 = t126 + platform_turn_zx * base_lever_mz_by_limb1_U2_fx
         closure_156 = -t128
-        base_lever_my_by_limb1_U2_fy = limb1_U_0_cos * limb1_upper_offset_x - 0.8 * (limb1_U_0_cos * limb1_lower_sin)
+        base_lever_my_by_limb1_U2_fy = (
+            limb1_U_0_cos * limb1_upper_offset_x - param_R * (limb1_U_0_cos * limb1_lower_sin)
+        )
         t131 = platform_turn_yx * base_lever_my_by_limb1_U2_fy
-        base_lever_mz_by_limb1_U2_fy = limb1_U_0_sin * limb1_upper_offset_x - 0.8 * (limb1_U_0_sin * limb1_lower_sin)
+        base_lever_mz_by_limb1_U2_fy = (
+            limb1_U_0_sin * limb1_upper_offset_x - param_R * (limb1_U_0_sin * limb1_lower_sin)
+        )
         t135 = t131 + platform_turn_zx * base_lever_mz_by_limb1_U2_fy
         closure_157 = -t135
         platform_turn_xx = 1.0 - t102 * t105
         t137 = platform_turn_xx * minus_limb1_U_0_lever_mz_by_limb1_U2_fz
-        minus_limb1_upper_position_x = 0.8 - limb1_lower_sin * limb1_upper_offset_x
+        minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x
         base_lever_my_by_limb1_U2_fz = limb1_U_0_sin * minus_limb1_upper_position_x
         t139 = t137 - platform_turn_yx * base_lever_my_by_limb1_U2_fz
         minus_base_lever_mz_by_limb1_U2_fz = limb1_U_0_cos * minus_limb1_upper_position_x
@@ -8212,47 +9164,57 @@ def _forward_dynamics_dense(*arguments):
         base_lever_mz_by_limb1_U2_mn = t145 + limb1_U_0_cos * limb1_U_0_lever_my_by_limb1_U2_mn
         t148 = t144 + platform_turn_zx * base_lever_mz_by_limb1_U2_mn
         closure_159 = -t148
-        minus_base_lever_mz_by_limb2_S_fx = 0.8 * (minus_limb2_U_0_cos * limb2_lower_cos)
+        minus_base_lever_mz_by_limb2_S_fx = param_R * (minus_limb2_U_0_cos * limb2_lower_cos)
         t149 = platform_turn_zx * minus_base_lever_mz_by_limb2_S_fx
-        base_lever_mx_by_limb2_S_fx = 0.8 * (limb2_U_0_sin * limb2_lower_cos)
+        base_lever_mx_by_limb2_S_fx = param_R * (limb2_U_0_sin * limb2_lower_cos)
         closure_160 = t149 - platform_turn_xx * base_lever_mx_by_limb2_S_fx
-        minus_base_lever_mz_by_limb2_S_fy = minus_limb2_U_0_cos * limb2_upper_offset_x - 0.8 * (minus_limb2_U_0_cos * limb2_lower_sin)
+        minus_base_lever_mz_by_limb2_S_fy = (
+            minus_limb2_U_0_cos * limb2_upper_offset_x - param_R * (minus_limb2_U_0_cos * limb2_lower_sin)
+        )
         t153 = platform_turn_zx * minus_base_lever_mz_by_limb2_S_fy
-        base_lever_mx_by_limb2_S_fy = limb2_U_0_sin * limb2_upper_offset_x - 0.8 * (limb2_U_0_sin * limb2_lower_sin)
+        base_lever_mx_by_limb2_S_fy = (
+            limb2_U_0_sin * limb2_upper_offset_x - param_R * (limb2_U_0_sin * limb2_lower_sin)
+        )
         closure_161 = t153 - platform_turn_xx * base_lever_mx_by_limb2_S_fy
         t157 = platform_turn_yx * minus_limb2_U_0_lever_mz_by_limb2_S_fz
-        minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
+        minus_limb2_upper_position_y = param_R - limb2_lower_sin * limb2_upper_offset_x
         base_lever_mx_by_limb2_S_fz = minus_limb2_U_0_cos * minus_limb2_upper_position_y
         t159 = t157 - platform_turn_xx * base_lever_mx_by_limb2_S_fz
         base_lever_mz_by_limb2_S_fz = limb2_U_0_sin * minus_limb2_upper_position_y
         closure_162 = t159 - platform_turn_zx * base_lever_mz_by_limb2_S_fz
-        minus_base_lever_my_by_limb3_S_fx = 0.8 * (limb3_U_0_cos * limb3_lower_cos)
+        minus_base_lever_my_by_limb3_S_fx = param_R * (limb3_U_0_cos * limb3_lower_cos)
         t161 = platform_turn_yx * minus_base_lever_my_by_limb3_S_fx
-        minus_base_lever_mz_by_limb3_S_fx = 0.8 * (limb3_U_0_sin * limb3_lower_cos)
+        minus_base_lever_mz_by_limb3_S_fx = param_R * (limb3_U_0_sin * limb3_lower_cos)
         closure_163 = t161 + platform_turn_zx * minus_base_lever_mz_by_limb3_S_fx
-        base_lever_my_by_limb3_S_fy = limb3_U_0_cos * limb3_upper_offset_x - 0.8 * (limb3_U_0_cos * minus_limb3_lower_sin)
+        base_lever_my_by_limb3_S_fy = (
+            limb3_U_0_cos * limb3_upper_offset_x - param_R * (limb3_U_0_cos * minus_limb3_lower_sin)
+        )
         t165 = platform_turn_yx * base_lever_my_by_limb3_S_fy
-        base_lever_mz_by_limb3_S_fy = limb3_U_0_sin * limb3_upper_offset_x - 0.8 * (limb3_U_0_sin * minus_limb3_lower_sin)
+        base_lever_mz_by_limb3_S_fy = (
+            limb3_U_0_sin * limb3_upper_offset_x - param_R * (limb3_U_0_sin * minus_limb3_lower_sin)
+        )
         t169 = t165 + platform_turn_zx * base_lever_mz_by_limb3_S_fy
         closure_164 = -t169
         t170 = platform_turn_xx * minus_limb3_U_0_lever_mz_by_limb3_S_fz
-        limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
+        limb3_upper_position_x = param_R - minus_limb3_lower_sin * limb3_upper_offset_x
         minus_base_lever_my_by_limb3_S_fz = limb3_U_0_sin * limb3_upper_position_x
         t172 = t170 + platform_turn_yx * minus_base_lever_my_by_limb3_S_fz
         base_lever_mz_by_limb3_S_fz = limb3_U_0_cos * limb3_upper_position_x
         closure_165 = t172 - platform_turn_zx * base_lever_mz_by_limb3_S_fz
-        minus_base_lever_mx_by_limb4_S_fx = 0.8 * (limb4_U_0_sin * limb4_lower_cos)
+        minus_base_lever_mx_by_limb4_S_fx = param_R * (limb4_U_0_sin * limb4_lower_cos)
         t174 = platform_turn_xx * minus_base_lever_mx_by_limb4_S_fx
-        base_lever_mz_by_limb4_S_fx = 0.8 * (minus_limb4_U_0_cos * limb4_lower_cos)
+        base_lever_mz_by_limb4_S_fx = param_R * (minus_limb4_U_0_cos * limb4_lower_cos)
         closure_166 = t174 - platform_turn_zx * base_lever_mz_by_limb4_S_fx
         t176 = minus_limb4_U_0_cos * limb4_upper_offset_x  # limb4
-        minus_base_lever_mz_by_limb4_S_fy = t176 - 0.8 * (minus_limb4_U_0_cos * minus_limb4_lower_sin)
+        minus_base_lever_mz_by_limb4_S_fy = t176 - param_R * (minus_limb4_U_0_cos * minus_limb4_lower_sin)
         # mechanism: loop closure; reciprocal wrenches, eq. (10); geometry
         t178 = platform_turn_zx * minus_base_lever_mz_by_limb4_S_fy
-        base_lever_mx_by_limb4_S_fy = limb4_U_0_sin * limb4_upper_offset_x - 0.8 * (limb4_U_0_sin * minus_limb4_lower_sin)
+        base_lever_mx_by_limb4_S_fy = (
+            limb4_U_0_sin * limb4_upper_offset_x - param_R * (limb4_U_0_sin * minus_limb4_lower_sin)
+        )
         closure_167 = t178 - platform_turn_xx * base_lever_mx_by_limb4_S_fy
         t182 = platform_turn_yx * minus_limb4_U_0_lever_mz_by_limb4_S_fz
-        limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
+        limb4_upper_position_y = param_R - minus_limb4_lower_sin * limb4_upper_offset_x
         minus_base_lever_mx_by_limb4_S_fz = minus_limb4_U_0_cos * limb4_upper_position_y
         t184 = t182 + platform_turn_xx * minus_base_lever_mx_by_limb4_S_fz
         minus_base_lever_mz_by_limb4_S_fz = limb4_U_0_sin * limb4_upper_position_y
@@ -8339,10 +9301,10 @@ def _forward_dynamics_dense(*arguments):
         t282 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy  # platform
         platform_twist_wx = t282 + limb5_S_v_wz * platform_turn_xz
         t285 = t279 + limb1_lower_cos * platform_twist_wx
-        minus_limb1_U2_arm_y = 0.8 * limb1_lower_cos
+        minus_limb1_U2_arm_y = param_R * limb1_lower_cos
         t288 = limb1_lower_cos * t278 - limb1_lower_sin * platform_twist_wx
         t289 = minus_limb1_U2_arm_y * t288
-        limb1_U2_arm_x = limb1_upper_offset_x - 0.8 * limb1_lower_sin
+        limb1_U2_arm_x = limb1_upper_offset_x - param_R * limb1_lower_sin
         t292 = t289 - limb1_U2_arm_x * t285
         t293 = t285 * t292
         t296 = limb1_U_0_cos * platform_twist_wy + limb1_U_0_sin * platform_twist_wz
@@ -8362,14 +9324,16 @@ def _forward_dynamics_dense(*arguments):
         t319 = t313 - limb1_U2_constraint_mn_couple_z * (t314 - limb1_lower_omega_y * t315)
         limb1_U2_opening_mn = limb1_lower_sin * t121 + limb1_lower_cos * platform_turn_xy
         t325 = t315 * (limb1_U2_opening_mn * t315 + limb1_U2_constraint_mn_couple_z * t309)
-        limb1_U2_opening_bias_mn = t319 - (t325 - t307 * (limb1_U2_constraint_mn_couple_x * t309 - limb1_U2_opening_mn * t307))
+        limb1_U2_opening_bias_mn = (
+            t319 - (t325 - t307 * (limb1_U2_constraint_mn_couple_x * t309 - limb1_U2_opening_mn * t307))
+        )
         # limb2: loop closure; reciprocal wrenches, eq. (10); accelerations
         t333 = limb2_U_0_sin * platform_twist_wz + minus_limb2_U_0_cos * platform_twist_wx
         t336 = limb2_lower_sin * t333 + limb2_lower_cos * platform_twist_wy
-        minus_limb2_S_arm_y = 0.8 * limb2_lower_cos
+        minus_limb2_S_arm_y = param_R * limb2_lower_cos
         t339 = limb2_lower_cos * t333 - limb2_lower_sin * platform_twist_wy
         t340 = minus_limb2_S_arm_y * t339
-        limb2_S_arm_x = limb2_upper_offset_x - 0.8 * limb2_lower_sin
+        limb2_S_arm_x = limb2_upper_offset_x - param_R * limb2_lower_sin
         t343 = t340 - limb2_S_arm_x * t336
         t344 = t336 * t343
         t347 = minus_limb2_U_0_cos * platform_twist_wz - limb2_U_0_sin * platform_twist_wx
@@ -8383,10 +9347,10 @@ def _forward_dynamics_dense(*arguments):
         # limb3: loop closure; reciprocal wrenches, eq. (10)
         t360 = limb3_U_0_sin * platform_twist_wy - limb3_U_0_cos * platform_twist_wz
         t363 = minus_limb3_lower_sin * t360 - limb3_lower_cos * platform_twist_wx
-        limb3_S_arm_y = 0.8 * limb3_lower_cos
+        limb3_S_arm_y = param_R * limb3_lower_cos
         t366 = limb3_lower_cos * t360 + minus_limb3_lower_sin * platform_twist_wx
         t367 = limb3_S_arm_y * t366
-        limb3_S_arm_x = limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin
+        limb3_S_arm_x = limb3_upper_offset_x - param_R * minus_limb3_lower_sin
         t370 = t367 - limb3_S_arm_x * t363
         t371 = t363 * t370
         t374 = limb3_U_0_cos * platform_twist_wy + limb3_U_0_sin * platform_twist_wz
@@ -8399,10 +9363,10 @@ def _forward_dynamics_dense(*arguments):
         # limb4: loop closure; reciprocal wrenches, eq. (10)
         t387 = limb4_U_0_sin * platform_twist_wz + minus_limb4_U_0_cos * platform_twist_wx
         t390 = minus_limb4_lower_sin * t387 - limb4_lower_cos * platform_twist_wy
-        limb4_S_arm_y = 0.8 * limb4_lower_cos
+        limb4_S_arm_y = param_R * limb4_lower_cos
         t393 = limb4_lower_cos * t387 + minus_limb4_lower_sin * platform_twist_wy
         t394 = limb4_S_arm_y * t393
-        limb4_S_arm_x = limb4_upper_offset_x - 0.8 * minus_limb4_lower_sin
+        limb4_S_arm_x = limb4_upper_offset_x - param_R * minus_limb4_lower_sin
         t397 = t394 - limb4_S_arm_x * t390
         t398 = t390 * t397
         t401 = minus_limb4_U_0_cos * platform_twist_wz - limb4_U_0_sin * platform_twist_wx
@@ -8413,70 +9377,71 @@ def _forward_dynamics_dense(*arguments):
         limb4_S_opening_bias_fy = t401 * t405 + t393 * t397 - (t91 - t90)
         minus_limb4_S_opening_bias_fz = t82 + t81 + (t393 * t402 + t390 * t405)
         limb4_S_opening_bias_fz = -minus_limb4_S_opening_bias_fz
+        guards = ()
         return _finish(batch, ((limb1_U_mass_matrix_0_by_limb1_U_0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
             0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, limb1_U_mass_matrix_1_by_limb1_U_1, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.42, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, limb_lower_m, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
             limb2_U_mass_matrix_0_by_limb2_U_0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
             0.0, 0.0, 0.0, 0.0, 0.0, limb2_U_mass_matrix_1_by_limb2_U_1, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.42, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, limb3_U_mass_matrix_0_by_limb3_U_0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, limb_lower_m, 0.0, 0.0, 0.0, 0.0, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, limb3_U_mass_matrix_0_by_limb3_U_0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
             limb3_U_mass_matrix_1_by_limb3_U_1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 1.42, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, limb4_U_mass_matrix_0_by_limb4_U_0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, limb4_U_mass_matrix_1_by_limb4_U_1, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.42, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 69.4749, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 69.4749, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 92.1), (minus_limb1_U_0_moment_z,
-            minus_limb1_lower_moment_z, minus_limb1_P_generalised_force, minus_limb2_U_0_moment_z,
-            minus_limb2_lower_moment_z, minus_limb2_P_generalised_force, minus_limb3_U_0_moment_z,
-            minus_limb3_lower_moment_z, minus_limb3_P_generalised_force, minus_limb4_U_0_moment_z,
-            minus_limb4_lower_moment_z, minus_limb4_P_generalised_force, minus_platform_rate_mx,
-            minus_platform_rate_my, 0.0), (0.0, 0.0, limb1_U_0_lever_mz_by_limb1_U2_fz,
-            limb1_U_0_lever_mz_by_limb1_U2_mn, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            limb1_upper_offset_x, 0.0, limb1_U2_constraint_mn_couple_z, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, limb2_U_0_lever_mz_by_limb2_S_fz, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, limb2_upper_offset_x, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, limb3_U_0_lever_mz_by_limb3_S_fz, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, limb3_upper_offset_x, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, limb4_U_0_lever_mz_by_limb4_S_fz, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, limb4_upper_offset_x, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 1.0, 0.0, 0.0, closure_156, closure_157, closure_158, closure_159,
-            closure_160, closure_161, closure_162, closure_163, closure_164, closure_165,
-            closure_166, closure_167, closure_168, closure_169, closure_170, closure_171,
-            closure_172, closure_173, closure_174, closure_175, closure_176, closure_177,
-            closure_178, closure_179, closure_180, closure_181, closure_182, closure_183,
-            closure_184, closure_185, closure_186, closure_187, closure_188, closure_189,
-            closure_190, closure_191, closure_192, closure_193, closure_194),
-            (limb1_U2_opening_bias_fx, limb1_U2_opening_bias_fy, limb1_U2_opening_bias_fz,
-            limb1_U2_opening_bias_mn, limb2_S_opening_bias_fx, limb2_S_opening_bias_fy,
-            limb2_S_opening_bias_fz, limb3_S_opening_bias_fx, limb3_S_opening_bias_fy,
-            limb3_S_opening_bias_fz, limb4_S_opening_bias_fx, limb4_S_opening_bias_fy,
-            limb4_S_opening_bias_fz)), (), (limb1_U_mass_matrix_0_by_limb1_U_0,
-            limb1_U_mass_matrix_1_by_limb1_U_1, limb2_U_mass_matrix_0_by_limb2_U_0,
-            limb2_U_mass_matrix_1_by_limb2_U_1, limb3_U_mass_matrix_0_by_limb3_U_0,
-            limb3_U_mass_matrix_1_by_limb3_U_1, limb4_U_mass_matrix_0_by_limb4_U_0,
-            limb4_U_mass_matrix_1_by_limb4_U_1, minus_limb1_U_0_moment_z,
-            minus_limb1_lower_moment_z, minus_limb1_P_generalised_force, minus_limb2_U_0_moment_z,
-            minus_limb2_lower_moment_z, minus_limb2_P_generalised_force, minus_limb3_U_0_moment_z,
-            minus_limb3_lower_moment_z, minus_limb3_P_generalised_force, minus_limb4_U_0_moment_z,
-            minus_limb4_lower_moment_z, minus_limb4_P_generalised_force, minus_platform_rate_mx,
-            minus_platform_rate_my, t128, t135, closure_158, t148, closure_160, closure_161,
-            closure_162, closure_163, t169, closure_165, closure_166, closure_167, closure_168,
-            t188, t191, closure_171, t200, closure_173, closure_174, closure_175, closure_176, t213,
-            closure_178, closure_179, closure_180, closure_181, t230, t233, closure_184, t242,
-            closure_186, closure_187, closure_188, closure_189, t255, closure_191, closure_192,
-            closure_193, closure_194, minus_limb1_U2_opening_bias_fx, limb1_U2_opening_bias_fy,
-            limb1_U2_opening_bias_fz, limb1_U2_opening_bias_mn, minus_limb2_S_opening_bias_fx,
-            limb2_S_opening_bias_fy, limb2_S_opening_bias_fz, minus_limb3_S_opening_bias_fx,
-            limb3_S_opening_bias_fy, limb3_S_opening_bias_fz, minus_limb4_S_opening_bias_fx,
-            limb4_S_opening_bias_fy, minus_limb4_S_opening_bias_fz), ((t103, 0.999999, 1.000001,
-            5),))
+            0.0, 0.0, 0.0, 0.0, 0.0, limb_lower_m, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, limb4_U_mass_matrix_0_by_limb4_U_0, 0.0, 0.0, 0.0, 0.0, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, limb4_U_mass_matrix_1_by_limb4_U_1,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, limb_lower_m,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, k13, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, k13, 0.0, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, platform_Izz),
+            (minus_limb1_U_0_moment_z, minus_limb1_lower_moment_z, minus_limb1_P_generalised_force,
+            minus_limb2_U_0_moment_z, minus_limb2_lower_moment_z, minus_limb2_P_generalised_force,
+            minus_limb3_U_0_moment_z, minus_limb3_lower_moment_z, minus_limb3_P_generalised_force,
+            minus_limb4_U_0_moment_z, minus_limb4_lower_moment_z, minus_limb4_P_generalised_force,
+            minus_platform_rate_mx, minus_platform_rate_my, 0.0), (0.0, 0.0,
+            limb1_U_0_lever_mz_by_limb1_U2_fz, limb1_U_0_lever_mz_by_limb1_U2_mn, 0.0, 0.0, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, limb1_upper_offset_x, 0.0,
+            limb1_U2_constraint_mn_couple_z, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+            limb2_U_0_lever_mz_by_limb2_S_fz, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+            limb2_upper_offset_x, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+            limb3_U_0_lever_mz_by_limb3_S_fz, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+            limb3_upper_offset_x, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+            limb4_U_0_lever_mz_by_limb4_S_fz, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+            limb4_upper_offset_x, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0,
+            0.0, closure_156, closure_157, closure_158, closure_159, closure_160, closure_161,
+            closure_162, closure_163, closure_164, closure_165, closure_166, closure_167,
+            closure_168, closure_169, closure_170, closure_171, closure_172, closure_173,
+            closure_174, closure_175, closure_176, closure_177, closure_178, closure_179,
+            closure_180, closure_181, closure_182, closure_183, closure_184, closure_185,
+            closure_186, closure_187, closure_188, closure_189, closure_190, closure_191,
+            closure_192, closure_193, closure_194), (limb1_U2_opening_bias_fx,
+            limb1_U2_opening_bias_fy, limb1_U2_opening_bias_fz, limb1_U2_opening_bias_mn,
+            limb2_S_opening_bias_fx, limb2_S_opening_bias_fy, limb2_S_opening_bias_fz,
+            limb3_S_opening_bias_fx, limb3_S_opening_bias_fy, limb3_S_opening_bias_fz,
+            limb4_S_opening_bias_fx, limb4_S_opening_bias_fy, limb4_S_opening_bias_fz)), guards,
+            (limb1_U_mass_matrix_0_by_limb1_U_0, limb1_U_mass_matrix_1_by_limb1_U_1,
+            limb2_U_mass_matrix_0_by_limb2_U_0, limb2_U_mass_matrix_1_by_limb2_U_1,
+            limb3_U_mass_matrix_0_by_limb3_U_0, limb3_U_mass_matrix_1_by_limb3_U_1,
+            limb4_U_mass_matrix_0_by_limb4_U_0, limb4_U_mass_matrix_1_by_limb4_U_1,
+            minus_limb1_U_0_moment_z, minus_limb1_lower_moment_z, minus_limb1_P_generalised_force,
+            minus_limb2_U_0_moment_z, minus_limb2_lower_moment_z, minus_limb2_P_generalised_force,
+            minus_limb3_U_0_moment_z, minus_limb3_lower_moment_z, minus_limb3_P_generalised_force,
+            minus_limb4_U_0_moment_z, minus_limb4_lower_moment_z, minus_limb4_P_generalised_force,
+            minus_platform_rate_mx, minus_platform_rate_my, t128, t135, closure_158, t148,
+            closure_160, closure_161, closure_162, closure_163, t169, closure_165, closure_166,
+            closure_167, closure_168, t188, t191, closure_171, t200, closure_173, closure_174,
+            closure_175, closure_176, t213, closure_178, closure_179, closure_180, closure_181,
+            t230, t233, closure_184, t242, closure_186, closure_187, closure_188, closure_189, t255,
+            closure_191, closure_192, closure_193, closure_194, minus_limb1_U2_opening_bias_fx,
+            limb1_U2_opening_bias_fy, limb1_U2_opening_bias_fz, limb1_U2_opening_bias_mn,
+            minus_limb2_S_opening_bias_fx, limb2_S_opening_bias_fy, limb2_S_opening_bias_fz,
+            minus_limb3_S_opening_bias_fx, limb3_S_opening_bias_fy, limb3_S_opening_bias_fz,
+            minus_limb4_S_opening_bias_fx, limb4_S_opening_bias_fy, minus_limb4_S_opening_bias_fz),
+            ((t103, 0.999999, 1.000001, 5),))
 
 
 def forward_dynamics(*arguments):
@@ -8511,8 +9476,12 @@ def forward_dynamics(*arguments):
         NaN
     Operations where no pivot is small: 824 (add 310, mul 474, div 7, trig 16, compare 17)
     """
-    settings = ((1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327, 1.0, 1.0, 1.0,), (1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.0, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322,), 13, 1.0e-09)
-    return _rank_revealing(_forward_dynamics_first, _forward_dynamics_dense, None, arguments, *settings)
+    settings = ((1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327,
+        1.0, 1.0, 1.0,), (per_length, per_length, per_length, 1.0, per_length, per_length,
+        per_length, per_length, per_length, per_length, per_length, per_length, per_length,), 13,
+        1.0e-09)
+    return _rank_revealing(_forward_dynamics_first, _forward_dynamics_dense, None, arguments,
+        *settings)
 
 
 def forward_dynamics_independent(*arguments):
@@ -8539,7 +9508,8 @@ def forward_dynamics_independent(*arguments):
         NaN
     Operations: 911 (add 317, mul 551, div 8, trig 16, compare 19)
     """
-    entries, batch = _entries("forward_dynamics_independent", {"q": 16, "y_dot": 2, "u": 4}, arguments)
+    entries, batch = _entries("forward_dynamics_independent", {"q": 16, "y_dot": 2, "u": 4},
+        arguments)
     (
         limb1_U_q_0, limb1_U_q_1, limb1_P_q, limb2_U_q_0, limb2_U_q_1, limb2_P_q, limb3_U_q_0,
         limb3_U_q_1, limb3_P_q, limb4_U_q_0, limb4_U_q_1, limb4_P_q, limb5_S_q_qw, limb5_S_q_qx,
@@ -8549,7 +9519,7 @@ def forward_dynamics_independent(*arguments):
     with np.errstate(all="ignore"):
         # limb1: geometry
         limb1_U_0_cos = np.cos(limb1_U_q_0)
-        t1 = 0.5235987755982989 + limb1_U_q_1
+        t1 = limb_lower_phase + limb1_U_q_1
         limb1_lower_cos = np.cos(t1)
         # limb5_S: geometry
         t2 = limb5_S_q_qw * limb5_S_q_qw
@@ -8571,13 +9541,15 @@ def forward_dynamics_independent(*arguments):
         limb1_U2_constraint_mn_couple_x = t13 + limb1_U_0_sin * platform_turn_zy
         limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x
         limb1_lower_sin = np.sin(t1)
-        limb1_upper_offset_x = 0.3 + limb1_P_q
-        minus_limb1_upper_position_x = 0.8 - limb1_lower_sin * limb1_upper_offset_x
+        limb1_upper_offset_x = limb_upper_phase + limb1_P_q
+        minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x
         limb1_U_0_lever_mz_by_limb1_U2_mn = limb1_lower_sin * limb1_U2_constraint_mn_couple_x
         minus_limb1_U_0_lever_mz_by_limb1_U2_fz = limb1_lower_cos * limb1_upper_offset_x
         t19 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz
         minus_limb1_U_factor_0_by_3 = limb1_U_0_lever_mz_by_limb1_U2_mn * t19
-        minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn - minus_limb1_upper_position_x * minus_limb1_U_factor_0_by_3
+        minus_limb1_U2_factor_1_by_3 = (
+            limb1_U_0_lever_my_by_limb1_U2_mn - minus_limb1_upper_position_x * minus_limb1_U_factor_0_by_3
+        )
         t21 = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3
         t24 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy
         t25 = limb1_lower_cos * t24
@@ -8586,7 +9558,7 @@ def forward_dynamics_independent(*arguments):
         t28 = limb5_S_q_qw * t14  # limb5_S
         platform_turn_xy = t27 - t28
         limb1_U2_constraint_mn_couple_z = t25 - limb1_lower_sin * platform_turn_xy
-        limb1_U2_arm_x = limb1_upper_offset_x - 0.8 * limb1_lower_sin
+        limb1_U2_arm_x = limb1_upper_offset_x - param_R * limb1_lower_sin
         t31 = limb1_lower_cos * t19
         limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * t31
         minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * limb1_U_factor_1_by_3
@@ -8595,7 +9567,7 @@ def forward_dynamics_independent(*arguments):
         t34 = 1.0 / minus_limb5_S_pivot_wz
         t37 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - limb1_U_0_cos * minus_limb1_U2_factor_0_by_3  # limb1
         # limb5_S: velocities, eq. (6); rates that follow
-        t39 = 1.5 - 0.5 * t8
+        t39 = k2 - 0.5 * t8
         t40 = limb5_S_q_qw * t39
         t41 = 0.5 * t40
         t42 = t41 * limb5_S_y_dot_qy
@@ -8623,7 +9595,7 @@ def forward_dynamics_independent(*arguments):
         t82 = 0.5 * t81
         t84 = t76 - minus_limb5_S_joint_rate_wx * t82
         platform_turn_zz = 1.0 - t10 * (t3 + t5)
-        minus_limb1_U2_arm_y = 0.8 * limb1_lower_cos
+        minus_limb1_U2_arm_y = param_R * limb1_lower_cos
         t89 = limb1_U_0_sin * limb5_S_joint_rate_wz + limb1_U_0_cos * limb5_S_joint_rate_wy  # limb1
         limb1_P_joint_rate = minus_limb1_U2_arm_y * t89
         t90 = limb1_lower_cos * limb1_P_joint_rate  # limb1
@@ -8635,16 +9607,22 @@ def forward_dynamics_independent(*arguments):
         platform_turn_xz = t94 + t95
         t96 = platform_turn_zz * limb5_S_joint_rate_wz
         platform_turn_yz = t15 - t17
-        platform_omega_z = t96 + (platform_turn_yz * limb5_S_joint_rate_wy - platform_turn_xz * minus_limb5_S_joint_rate_wx)
+        platform_omega_z = (
+            t96 + (platform_turn_yz * limb5_S_joint_rate_wy - platform_turn_xz * minus_limb5_S_joint_rate_wx)
+        )
         t100 = platform_turn_xz * platform_omega_z
         t101 = platform_turn_zy * limb5_S_joint_rate_wz
-        platform_omega_y = t101 + (platform_turn_yy * limb5_S_joint_rate_wy - platform_turn_xy * minus_limb5_S_joint_rate_wx)
+        platform_omega_y = (
+            t101 + (platform_turn_yy * limb5_S_joint_rate_wy - platform_turn_xy * minus_limb5_S_joint_rate_wx)
+        )
         t105 = platform_turn_xy * platform_omega_y
         platform_turn_xx = 1.0 - t7 * t10
         platform_turn_zx = t94 - t95
         t107 = platform_turn_zx * limb5_S_joint_rate_wz
         platform_turn_yx = t27 + t28
-        platform_omega_x = t107 + (platform_turn_yx * limb5_S_joint_rate_wy - platform_turn_xx * minus_limb5_S_joint_rate_wx)
+        platform_omega_x = (
+            t107 + (platform_turn_yx * limb5_S_joint_rate_wy - platform_turn_xx * minus_limb5_S_joint_rate_wx)
+        )
         # limb5_S: accelerations
         t113 = t100 + (t105 + platform_turn_xx * platform_omega_x)
         t114 = t93 * t113
@@ -8658,13 +9636,16 @@ def forward_dynamics_independent(*arguments):
         t129 = t125 + (platform_turn_yy * platform_omega_y + platform_turn_yx * platform_omega_x)
         t131 = t124 - limb1_U_0_sin * t129
         t132 = t118 * t131
-        t136 = minus_limb1_upper_position_x * (limb1_U_0_cos * limb5_S_joint_rate_wz - limb1_U_0_sin * limb5_S_joint_rate_wy)  # limb1
+        t136 = (
+            minus_limb1_upper_position_x * (limb1_U_0_cos * limb5_S_joint_rate_wz - limb1_U_0_sin *
+            limb5_S_joint_rate_wy)
+        )  # limb1
         minus_limb1_U_joint_rate_0 = minus_limb5_S_joint_rate_wx - t19 * t136
         t138 = t93 * minus_limb1_U_joint_rate_0  # limb1
         t141 = limb1_U_0_sin * t123 + limb1_U_0_cos * t129
         t146 = t114 - (t132 - (t138 + minus_limb1_upper_position_x * (minus_limb1_U_joint_rate_0 * t141)))
         t147 = minus_limb1_U_factor_0_by_3 * t146
-        t150 = t141 * (limb1_P_joint_rate - 0.8 * t116)
+        t150 = t141 * (limb1_P_joint_rate - param_R * t116)
         # limb1: accelerations
         t151 = limb1_P_joint_rate * limb1_U_joint_rate_1
         t152 = t131 * minus_limb1_U_joint_rate_0  # limb5_S
@@ -8682,132 +9663,146 @@ def forward_dynamics_independent(*arguments):
         minus_limb1_lower_omega_x = limb1_lower_sin * minus_limb1_U_joint_rate_0
         t171 = t170 + minus_limb1_lower_omega_x
         t176 = t167 + t171 * (limb1_U2_constraint_mn_couple_z * t164 + limb1_U2_opening_mn * t171)
-        t180 = limb1_U2_constraint_mn_couple_z * (minus_limb1_lower_omega_y * t171 - t164 * minus_limb1_lower_omega_x)
+        t180 = (
+            limb1_U2_constraint_mn_couple_z * (minus_limb1_lower_omega_y * t171 - t164 * minus_limb1_lower_omega_x)
+        )
         t183 = limb1_U_joint_rate_1 * t164 - t157 * minus_limb1_lower_omega_y
         t186 = t180 - limb1_U2_constraint_mn_couple_x * (t183 + limb1_U_joint_rate_1 * minus_limb1_lower_omega_y)
         limb5_S_joint_acc_still_wz = t34 * (t147 + (t156 - (t176 - t186)))
-        t189 = 22.6251 * platform_turn_yz  # platform
+        t189 = k12 * platform_turn_yz  # platform
         t190 = platform_turn_xz * t189  # platform
         # limb3: geometry; rates that follow; inertia
         limb3_U_0_sin = np.sin(limb3_U_q_0)
-        t191 = 0.5235987755982989 - limb3_U_q_1
+        t191 = limb_lower_phase - limb3_U_q_1
         minus_limb3_lower_sin = np.sin(t191)
-        limb3_upper_offset_x = 0.3 + limb3_P_q
-        limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
+        limb3_upper_offset_x = limb_upper_phase + limb3_P_q
+        limb3_upper_position_x = param_R - minus_limb3_lower_sin * limb3_upper_offset_x
         limb3_lower_cos = np.cos(t191)
         minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x
         t192 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
         minus_limb3_U_follows_0_by_limb3_S_1 = limb3_upper_position_x * t192
-        limb3_lower_composite_first_x = 1.42 * limb3_upper_offset_x
-        t193 = 0.426 - limb3_lower_composite_first_x
+        limb3_lower_composite_first_x = limb_lower_m * limb3_upper_offset_x
+        t193 = k7 - limb3_lower_composite_first_x
         t194 = limb3_upper_offset_x * t193
-        t195 = t194 - 2.2727
+        t195 = t194 - k8
         t196 = limb3_lower_cos * t195
-        limb3_U_mass_matrix_0_by_limb3_U_0 = 0.1112 - limb3_lower_cos * t196
+        limb3_U_mass_matrix_0_by_limb3_U_0 = k3 - limb3_lower_cos * t196
         t198 = minus_limb3_U_follows_0_by_limb3_S_1 * limb3_U_mass_matrix_0_by_limb3_U_0
         t200 = t190 + limb3_U_0_sin * t198  # limb5_S
         # limb2: geometry; rates that follow; inertia
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
-        t201 = 2.6179938779914944 + limb2_U_q_1
+        t201 = limb_lower_phase_2 + limb2_U_q_1
         limb2_lower_sin = np.sin(t201)
-        limb2_upper_offset_x = 0.3 + limb2_P_q
-        minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
+        limb2_upper_offset_x = limb_upper_phase + limb2_P_q
+        minus_limb2_upper_position_y = param_R - limb2_lower_sin * limb2_upper_offset_x
         limb2_lower_cos = np.cos(t201)
         minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x
         t202 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
         limb2_U_follows_0_by_limb2_S_1 = minus_limb2_upper_position_y * t202
-        limb2_lower_composite_first_x = 1.42 * limb2_upper_offset_x
-        t203 = 0.426 - limb2_lower_composite_first_x
+        limb2_lower_composite_first_x = limb_lower_m * limb2_upper_offset_x
+        t203 = k7 - limb2_lower_composite_first_x
         t204 = limb2_upper_offset_x * t203
-        t205 = t204 - 2.2727
+        t205 = t204 - k8
         t206 = limb2_lower_cos * t205
-        limb2_U_mass_matrix_0_by_limb2_U_0 = 0.1112 - limb2_lower_cos * t206
+        limb2_U_mass_matrix_0_by_limb2_U_0 = k3 - limb2_lower_cos * t206
         t208 = limb2_U_follows_0_by_limb2_S_1 * limb2_U_mass_matrix_0_by_limb2_U_0
         t210 = t200 - minus_limb2_U_0_cos * t208  # limb5_S
         # limb4: geometry; rates that follow; inertia
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
-        t211 = 2.6179938779914944 - limb4_U_q_1
+        t211 = limb_lower_phase_2 - limb4_U_q_1
         minus_limb4_lower_sin = np.sin(t211)
-        limb4_upper_offset_x = 0.3 + limb4_P_q
-        limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
+        limb4_upper_offset_x = limb_upper_phase + limb4_P_q
+        limb4_upper_position_y = param_R - minus_limb4_lower_sin * limb4_upper_offset_x
         limb4_lower_cos = np.cos(t211)
         minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x
         t212 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz
         minus_limb4_U_follows_0_by_limb4_S_1 = limb4_upper_position_y * t212
-        limb4_lower_composite_first_x = 1.42 * limb4_upper_offset_x
-        t213 = 0.426 - limb4_lower_composite_first_x
+        limb4_lower_composite_first_x = limb_lower_m * limb4_upper_offset_x
+        t213 = k7 - limb4_lower_composite_first_x
         t214 = limb4_upper_offset_x * t213
-        t215 = t214 - 2.2727
+        t215 = t214 - k8
         t216 = limb4_lower_cos * t215
-        limb4_U_mass_matrix_0_by_limb4_U_0 = 0.1112 - limb4_lower_cos * t216
+        limb4_U_mass_matrix_0_by_limb4_U_0 = k3 - limb4_lower_cos * t216
         t218 = minus_limb4_U_follows_0_by_limb4_S_1 * limb4_U_mass_matrix_0_by_limb4_U_0
         t220 = t210 + minus_limb4_U_0_cos * t218  # limb5_S
         # limb1: rates that follow; inertia; free motion
         limb1_U_follows_0_by_limb1_U2_1 = minus_limb1_upper_position_x * t19
-        limb1_lower_composite_first_x = 1.42 * limb1_upper_offset_x
-        t221 = 0.426 - limb1_lower_composite_first_x
+        limb1_lower_composite_first_x = limb_lower_m * limb1_upper_offset_x
+        t221 = k7 - limb1_lower_composite_first_x
         t222 = limb1_upper_offset_x * t221
-        t223 = t222 - 2.2727
+        t223 = t222 - k8
         t224 = limb1_lower_cos * t223
-        limb1_U_mass_matrix_0_by_limb1_U_0 = 0.1112 - limb1_lower_cos * t224
+        limb1_U_mass_matrix_0_by_limb1_U_0 = k3 - limb1_lower_cos * t224
         t226 = limb1_U_follows_0_by_limb1_U2_1 * limb1_U_mass_matrix_0_by_limb1_U_0
         t228 = t220 - limb1_U_0_sin * t226  # limb5_S
         t229 = limb1_U_0_cos * t226
         # limb4: free motion; reciprocal wrenches, eq. (10); rates that follow
         limb4_U_0_sin = np.cos(limb4_U_q_0)
         t230 = minus_limb4_U_follows_0_by_limb4_S_1 * t218
-        limb4_S_arm_y = 0.8 * limb4_lower_cos
-        t232 = limb4_S_arm_y * (1.136 * limb4_lower_cos)
-        limb4_S_arm_x = limb4_upper_offset_x - 0.8 * minus_limb4_lower_sin
+        limb4_S_arm_y = param_R * limb4_lower_cos
+        t232 = limb4_S_arm_y * (k20 * limb4_lower_cos)
+        limb4_S_arm_x = limb4_upper_offset_x - param_R * minus_limb4_lower_sin
         t234 = limb4_lower_cos * t212
         limb4_U_follows_1_by_limb4_S_0 = limb4_S_arm_x * t234
-        limb4_U_mass_matrix_1_by_limb4_U_1 = 2.3439 - t214
-        t236 = limb4_U_follows_1_by_limb4_S_0 * (limb4_U_mass_matrix_1_by_limb4_U_1 * limb4_U_follows_1_by_limb4_S_0)
+        limb4_U_mass_matrix_1_by_limb4_U_1 = k9 - t214
+        t236 = (
+            limb4_U_follows_1_by_limb4_S_0 * (limb4_U_mass_matrix_1_by_limb4_U_1 * limb4_U_follows_1_by_limb4_S_0)
+        )
         t237 = t232 + t236
         t239 = limb4_U_0_sin * (t230 - t237)
         t240 = minus_limb4_U_0_cos * t239
-        t241 = 22.6251 * platform_turn_zz  # platform
+        t241 = k12 * platform_turn_zz  # platform
         t242 = platform_turn_xz * t241  # platform
         limb3_U_0_cos = np.cos(limb3_U_q_0)
         t244 = t242 - limb3_U_0_cos * t198  # limb5_S
         # limb2: free motion; reciprocal wrenches, eq. (10); rates that follow
         limb2_U_0_sin = np.cos(limb2_U_q_0)
         t245 = limb2_U_follows_0_by_limb2_S_1 * t208
-        minus_limb2_S_arm_y = 0.8 * limb2_lower_cos
-        t247 = minus_limb2_S_arm_y * (1.136 * limb2_lower_cos)
-        limb2_S_arm_x = limb2_upper_offset_x - 0.8 * limb2_lower_sin
+        minus_limb2_S_arm_y = param_R * limb2_lower_cos
+        t247 = minus_limb2_S_arm_y * (k20 * limb2_lower_cos)
+        limb2_S_arm_x = limb2_upper_offset_x - param_R * limb2_lower_sin
         t249 = limb2_lower_cos * t202
         limb2_U_follows_1_by_limb2_S_0 = limb2_S_arm_x * t249
-        limb2_U_mass_matrix_1_by_limb2_U_1 = 2.3439 - t204
-        t251 = limb2_U_follows_1_by_limb2_S_0 * (limb2_U_mass_matrix_1_by_limb2_U_1 * limb2_U_follows_1_by_limb2_S_0)
+        limb2_U_mass_matrix_1_by_limb2_U_1 = k9 - t204
+        t251 = (
+            limb2_U_follows_1_by_limb2_S_0 * (limb2_U_mass_matrix_1_by_limb2_U_1 * limb2_U_follows_1_by_limb2_S_0)
+        )
         t252 = t247 + t251
         t254 = limb2_U_0_sin * (t245 - t252)
         limb5_S_handed_inertia_wz_by_limb5_S_wx = t229 + (t240 + (t244 + minus_limb2_U_0_cos * t254))
-        limb5_S_reduced_inertia_wx_by_limb5_S_wy = t228 + limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_handed_inertia_wz_by_limb5_S_wx
+        limb5_S_reduced_inertia_wx_by_limb5_S_wy = (
+            t228 + limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_handed_inertia_wz_by_limb5_S_wx
+        )
         # limb1: free motion; rates that follow; inertia
         t259 = limb1_U_follows_0_by_limb1_U2_1 * t226
-        t261 = minus_limb1_U2_arm_y * (1.136 * limb1_lower_cos)
+        t261 = minus_limb1_U2_arm_y * (k20 * limb1_lower_cos)
         limb1_U_follows_1_by_limb1_U2_0 = limb1_U2_arm_x * t31
-        limb1_U_mass_matrix_1_by_limb1_U_1 = 2.3439 - t222
-        t263 = limb1_U_follows_1_by_limb1_U2_0 * (limb1_U_mass_matrix_1_by_limb1_U_1 * limb1_U_follows_1_by_limb1_U2_0)
+        limb1_U_mass_matrix_1_by_limb1_U_1 = k9 - t222
+        t263 = (
+            limb1_U_follows_1_by_limb1_U2_0 * (limb1_U_mass_matrix_1_by_limb1_U_1 * limb1_U_follows_1_by_limb1_U2_0)
+        )
         t264 = t261 + t263
         t266 = limb1_U_0_cos * (t259 - t264)
         t267 = limb1_U_0_cos * t266
         t268 = t259 - t267
-        t270 = 69.4749 + platform_turn_yz * t189  # platform
+        t270 = k13 + platform_turn_yz * t189  # platform
         # limb3: free motion; reciprocal wrenches, eq. (10); rates that follow
         t271 = minus_limb3_U_follows_0_by_limb3_S_1 * t198
-        limb3_S_arm_y = 0.8 * limb3_lower_cos
-        t273 = limb3_S_arm_y * (1.136 * limb3_lower_cos)
-        limb3_S_arm_x = limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin
+        limb3_S_arm_y = param_R * limb3_lower_cos
+        t273 = limb3_S_arm_y * (k20 * limb3_lower_cos)
+        limb3_S_arm_x = limb3_upper_offset_x - param_R * minus_limb3_lower_sin
         t275 = limb3_lower_cos * t192
         limb3_U_follows_1_by_limb3_S_0 = limb3_S_arm_x * t275
-        limb3_U_mass_matrix_1_by_limb3_U_1 = 2.3439 - t194
-        t277 = limb3_U_follows_1_by_limb3_S_0 * (limb3_U_mass_matrix_1_by_limb3_U_1 * limb3_U_follows_1_by_limb3_S_0)
+        limb3_U_mass_matrix_1_by_limb3_U_1 = k9 - t194
+        t277 = (
+            limb3_U_follows_1_by_limb3_S_0 * (limb3_U_mass_matrix_1_by_limb3_U_1 * limb3_U_follows_1_by_limb3_S_0)
+        )
         t278 = t273 + t277
         t280 = limb3_U_0_cos * (t271 - t278)
         t281 = limb3_U_0_cos * t280
-        t285 = limb4_U_mass_matrix_0_by_limb4_U_0 + (limb2_U_mass_matrix_0_by_limb2_U_0 + (t270 + (t271 - t281)))  # limb5_S
+        t285 = (
+            limb4_U_mass_matrix_0_by_limb4_U_0 + (limb2_U_mass_matrix_0_by_limb2_U_0 + (t270 + (t271 - t281)))
+        )  # limb5_S
         t286 = t268 + t285  # limb5_S
         t287 = limb1_U_0_sin * t266  # limb1
         t288 = limb4_U_0_sin * t218  # limb4
@@ -8818,16 +9813,21 @@ def forward_dynamics_independent(*arguments):
         t297 = limb4_U_0_sin * t239  # limb4
         t298 = t237 + t297  # limb4
         t299 = limb2_U_0_sin * t254  # limb2
-        t305 = t252 + t299 + (69.4749 + platform_turn_zz * t241 + (t278 + t281))
+        t305 = t252 + t299 + (k13 + platform_turn_zz * t241 + (t278 + t281))
         limb5_S_handed_inertia_wz = t296 + (t298 + t305)
-        t310 = limb5_S_null_space_wz_by_limb5_S_wy * (t295 + (t295 - limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_handed_inertia_wz))
+        t310 = (
+            limb5_S_null_space_wz_by_limb5_S_wy * (t295 + (t295 - limb5_S_null_space_wz_by_limb5_S_wy *
+            limb5_S_handed_inertia_wz))
+        )
         limb5_S_reduced_inertia_wy_by_limb5_S_wy = t286 - t310
         t311 = 1.0 / limb5_S_reduced_inertia_wy_by_limb5_S_wy
         t312 = limb5_S_reduced_inertia_wx_by_limb5_S_wy * t311
         t313 = limb5_S_handed_inertia_wz_by_limb5_S_wx * limb5_S_joint_acc_still_wz
         # limb1: free motion; balance, eqs. (40)-(47)
         t315 = limb1_U_mass_matrix_0_by_limb1_U_0 * (t19 * t146)
-        minus_limb1_U_0_moment_z = limb1_lower_cos * (limb1_upper_offset_x * (13.9302 * limb1_U_0_sin))
+        minus_limb1_U_0_moment_z = (
+            limb1_lower_cos * (limb1_upper_offset_x * (limb_lower_m_gravity_z * limb1_U_0_sin))
+        )
         t316 = limb1_lower_composite_first_x - t221
         t318 = limb1_lower_cos * (limb1_lower_cos * t316)
         t320 = t318 * (limb1_P_joint_rate * minus_limb1_U_joint_rate_0)
@@ -8848,18 +9848,25 @@ def forward_dynamics_independent(*arguments):
         t339 = t336 + limb4_upper_offset_x * t337
         t342 = minus_limb4_U_0_cos * t113 + limb4_U_0_sin * t123
         t343 = t339 * t342
-        t347 = limb4_upper_position_y * (limb4_U_0_sin * limb5_S_joint_rate_wz - minus_limb4_U_0_cos * minus_limb5_S_joint_rate_wx)
+        t347 = (
+            limb4_upper_position_y * (limb4_U_0_sin * limb5_S_joint_rate_wz - minus_limb4_U_0_cos *
+            minus_limb5_S_joint_rate_wx)
+        )
         limb4_U_joint_rate_0 = limb5_S_joint_rate_wy + t212 * t347
         t349 = t334 * limb4_U_joint_rate_0
         t352 = limb4_U_0_sin * t113 - minus_limb4_U_0_cos * t123
         t358 = t212 * (t335 - (t343 + (t349 - limb4_upper_position_y * (limb4_U_joint_rate_0 * t352))))
         t359 = limb4_U_mass_matrix_0_by_limb4_U_0 * t358
-        limb4_U_0_moment_z = limb4_lower_cos * (limb4_upper_offset_x * (13.9302 * minus_limb4_U_0_cos))
+        limb4_U_0_moment_z = (
+            limb4_lower_cos * (limb4_upper_offset_x * (limb_lower_m_gravity_z * minus_limb4_U_0_cos))
+        )
         t360 = limb4_lower_composite_first_x - t213
         t362 = limb4_lower_cos * (limb4_lower_cos * t360)
         t364 = t362 * (limb4_P_joint_rate * limb4_U_joint_rate_0)
         t367 = minus_limb4_lower_sin * t216 + limb4_lower_cos * (minus_limb4_lower_sin * t215)
-        limb4_U_handed_force_0 = t359 + (limb4_U_0_moment_z + (t364 + t367 * (minus_limb4_U_joint_rate_1 * limb4_U_joint_rate_0)))
+        limb4_U_handed_force_0 = (
+            t359 + (limb4_U_0_moment_z + (t364 + t367 * (minus_limb4_U_joint_rate_1 * limb4_U_joint_rate_0)))
+        )
         minus_limb4_S_handed_force_1 = minus_limb4_U_follows_0_by_limb4_S_1 * limb4_U_handed_force_0
         t372 = minus_limb4_U_0_cos * minus_limb4_S_handed_force_1
         # limb2: velocities, eq. (6)
@@ -8876,18 +9883,25 @@ def forward_dynamics_independent(*arguments):
         t384 = t381 + limb2_upper_offset_x * t382
         t387 = minus_limb2_U_0_cos * t113 + limb2_U_0_sin * t123
         t388 = t384 * t387
-        t392 = minus_limb2_upper_position_y * (limb2_U_0_sin * limb5_S_joint_rate_wz - minus_limb2_U_0_cos * minus_limb5_S_joint_rate_wx)
+        t392 = (
+            minus_limb2_upper_position_y * (limb2_U_0_sin * limb5_S_joint_rate_wz - minus_limb2_U_0_cos *
+            minus_limb5_S_joint_rate_wx)
+        )
         limb2_U_joint_rate_0 = limb5_S_joint_rate_wy - t202 * t392
         t394 = t379 * limb2_U_joint_rate_0
         t397 = limb2_U_0_sin * t113 - minus_limb2_U_0_cos * t123
         t403 = t202 * (t380 + (t388 - (t394 - minus_limb2_upper_position_y * (limb2_U_joint_rate_0 * t397))))
         t404 = limb2_U_mass_matrix_0_by_limb2_U_0 * t403
-        limb2_U_0_moment_z = limb2_lower_cos * (limb2_upper_offset_x * (13.9302 * minus_limb2_U_0_cos))
+        limb2_U_0_moment_z = (
+            limb2_lower_cos * (limb2_upper_offset_x * (limb_lower_m_gravity_z * minus_limb2_U_0_cos))
+        )
         t405 = limb2_lower_composite_first_x - t203
         t407 = limb2_lower_cos * (limb2_lower_cos * t405)
         t409 = t407 * (minus_limb2_P_joint_rate * limb2_U_joint_rate_0)
         t412 = limb2_lower_sin * t206 + limb2_lower_cos * (limb2_lower_sin * t205)
-        minus_limb2_U_handed_force_0 = t404 - (limb2_U_0_moment_z - (t409 + t412 * (minus_limb2_U_joint_rate_1 * limb2_U_joint_rate_0)))
+        minus_limb2_U_handed_force_0 = (
+            t404 - (limb2_U_0_moment_z - (t409 + t412 * (minus_limb2_U_joint_rate_1 * limb2_U_joint_rate_0)))
+        )
         minus_limb2_S_handed_force_1 = limb2_U_follows_0_by_limb2_S_1 * minus_limb2_U_handed_force_0
         t417 = minus_limb2_U_0_cos * minus_limb2_S_handed_force_1
         # limb3: velocities, eq. (6)
@@ -8904,13 +9918,17 @@ def forward_dynamics_independent(*arguments):
         t429 = t426 + limb3_upper_offset_x * t427
         t432 = limb3_U_0_cos * t123 - limb3_U_0_sin * t129
         t433 = t429 * t432
-        t437 = limb3_upper_position_x * (limb3_U_0_cos * limb5_S_joint_rate_wz - limb3_U_0_sin * limb5_S_joint_rate_wy)
+        t437 = (
+            limb3_upper_position_x * (limb3_U_0_cos * limb5_S_joint_rate_wz - limb3_U_0_sin * limb5_S_joint_rate_wy)
+        )
         minus_limb3_U_joint_rate_0 = minus_limb5_S_joint_rate_wx + t192 * t437
         t439 = t424 * minus_limb3_U_joint_rate_0
         t442 = limb3_U_0_sin * t123 + limb3_U_0_cos * t129
         t448 = t192 * (t425 + (t433 + (t439 + limb3_upper_position_x * (minus_limb3_U_joint_rate_0 * t442))))
         t449 = limb3_U_mass_matrix_0_by_limb3_U_0 * t448
-        minus_limb3_U_0_moment_z = limb3_lower_cos * (limb3_upper_offset_x * (13.9302 * limb3_U_0_sin))
+        minus_limb3_U_0_moment_z = (
+            limb3_lower_cos * (limb3_upper_offset_x * (limb_lower_m_gravity_z * limb3_U_0_sin))
+        )
         t450 = limb3_lower_composite_first_x - t193
         t452 = limb3_lower_cos * (limb3_lower_cos * t450)
         t454 = t452 * (minus_limb3_P_joint_rate * minus_limb3_U_joint_rate_0)
@@ -8918,43 +9936,61 @@ def forward_dynamics_independent(*arguments):
         t461 = minus_limb3_U_0_moment_z - (t454 + t457 * (limb3_U_joint_rate_1 * minus_limb3_U_joint_rate_0))
         minus_limb3_U_handed_force_0 = t449 + t461
         # limb4: free motion; accelerations; balance, eqs. (40)-(47)
-        t464 = t352 * (limb4_P_joint_rate - 0.8 * t337)
+        t464 = t352 * (limb4_P_joint_rate - param_R * t337)
         t465 = limb4_P_joint_rate * minus_limb4_U_joint_rate_1
         t466 = t342 * limb4_U_joint_rate_0
         t471 = limb4_U_mass_matrix_1_by_limb4_U_1 * (t234 * (t464 + (t465 - limb4_S_arm_x * t466)))
-        minus_limb4_U_0_acc_y = 9.81 * limb4_U_0_sin
-        minus_limb4_lower_moment_z = limb4_upper_offset_x * (1.42 * (minus_limb4_lower_sin * minus_limb4_U_0_acc_y))
+        minus_limb4_U_0_acc_y = gravity_z * limb4_U_0_sin
+        minus_limb4_lower_moment_z = (
+            limb4_upper_offset_x * (limb_lower_m * (minus_limb4_lower_sin * minus_limb4_U_0_acc_y))
+        )
         t472 = t360 * t465
         t473 = 0.5 * t367
         minus_limb4_U_0_U_still_xx = limb4_U_joint_rate_0 * limb4_U_joint_rate_0
-        t477 = limb4_U_follows_1_by_limb4_S_0 * (t471 - (minus_limb4_lower_moment_z + (t472 - t473 * minus_limb4_U_0_U_still_xx)))
-        t482 = 1.42 * (t352 * (0.8 * t332) + limb4_S_arm_y * t466)
-        minus_limb4_P_generalised_force = 1.42 * (limb4_lower_cos * minus_limb4_U_0_acc_y) + limb4_P_u
+        t477 = (
+            limb4_U_follows_1_by_limb4_S_0 * (t471 - (minus_limb4_lower_moment_z + (t472 - t473 *
+            minus_limb4_U_0_U_still_xx)))
+        )
+        t482 = limb_lower_m * (t352 * (param_R * t332) + limb4_S_arm_y * t466)
+        minus_limb4_P_generalised_force = limb_lower_m * (limb4_lower_cos * minus_limb4_U_0_acc_y) + limb4_P_u
         t485 = 0.5 * t360 * (minus_limb4_U_joint_rate_1 * minus_limb4_U_joint_rate_1)
-        t490 = limb4_S_arm_y * (t482 - (minus_limb4_P_generalised_force + (t485 + 0.5 * t362 * minus_limb4_U_0_U_still_xx)))
+        t490 = (
+            limb4_S_arm_y * (t482 - (minus_limb4_P_generalised_force + (t485 + 0.5 * t362 *
+            minus_limb4_U_0_U_still_xx)))
+        )
         limb4_S_handed_force_0 = t477 - t490
         t491 = limb4_U_0_sin * limb4_S_handed_force_0
         # limb2: free motion; accelerations; balance, eqs. (40)-(47)
-        t494 = t397 * (minus_limb2_P_joint_rate - 0.8 * t382)
+        t494 = t397 * (minus_limb2_P_joint_rate - param_R * t382)
         t495 = minus_limb2_P_joint_rate * minus_limb2_U_joint_rate_1
         t496 = t387 * limb2_U_joint_rate_0
         t501 = limb2_U_mass_matrix_1_by_limb2_U_1 * (t249 * (t494 + (t495 + limb2_S_arm_x * t496)))
-        minus_limb2_U_0_acc_y = 9.81 * limb2_U_0_sin
-        limb2_lower_moment_z = limb2_upper_offset_x * (1.42 * (limb2_lower_sin * minus_limb2_U_0_acc_y))
+        minus_limb2_U_0_acc_y = gravity_z * limb2_U_0_sin
+        limb2_lower_moment_z = limb2_upper_offset_x * (limb_lower_m * (limb2_lower_sin * minus_limb2_U_0_acc_y))
         t502 = t405 * t495
         t503 = 0.5 * t412
         minus_limb2_U_0_U_still_xx = limb2_U_joint_rate_0 * limb2_U_joint_rate_0
-        t507 = limb2_U_follows_1_by_limb2_S_0 * (t501 - (limb2_lower_moment_z + (t502 - t503 * minus_limb2_U_0_U_still_xx)))
-        t512 = 1.42 * (t397 * (0.8 * t377) - minus_limb2_S_arm_y * t496)
-        minus_limb2_P_generalised_force = 1.42 * (limb2_lower_cos * minus_limb2_U_0_acc_y) + limb2_P_u
+        t507 = (
+            limb2_U_follows_1_by_limb2_S_0 * (t501 - (limb2_lower_moment_z + (t502 - t503 *
+            minus_limb2_U_0_U_still_xx)))
+        )
+        t512 = limb_lower_m * (t397 * (param_R * t377) - minus_limb2_S_arm_y * t496)
+        minus_limb2_P_generalised_force = limb_lower_m * (limb2_lower_cos * minus_limb2_U_0_acc_y) + limb2_P_u
         t515 = 0.5 * t405 * (minus_limb2_U_joint_rate_1 * minus_limb2_U_joint_rate_1)
-        t520 = minus_limb2_S_arm_y * (t512 - (minus_limb2_P_generalised_force + (t515 + 0.5 * t407 * minus_limb2_U_0_U_still_xx)))
+        t520 = (
+            minus_limb2_S_arm_y * (t512 - (minus_limb2_P_generalised_force + (t515 + 0.5 * t407 *
+            minus_limb2_U_0_U_still_xx)))
+        )
         minus_limb2_S_handed_force_0 = t507 - t520
         t521 = limb2_U_0_sin * minus_limb2_S_handed_force_0
-        platform_rate_my = 14.62961126155784 * platform_turn_zx - 22.6251 * (platform_omega_z * platform_omega_x)
+        platform_rate_my = gravity_z_platform_mz * platform_turn_zx - k12 * (platform_omega_z * platform_omega_x)
         t523 = platform_turn_xy * platform_rate_my  # platform
-        minus_platform_rate_mx = 14.62961126155784 * platform_turn_zy - 22.6251 * (platform_omega_z * platform_omega_y)
-        t529 = minus_limb3_U_handed_force_0 - (t491 - (t521 - (t523 - platform_turn_xx * minus_platform_rate_mx)))  # limb5_S
+        minus_platform_rate_mx = (
+            gravity_z_platform_mz * platform_turn_zy - k12 * (platform_omega_z * platform_omega_y)
+        )
+        t529 = (
+            minus_limb3_U_handed_force_0 - (t491 - (t521 - (t523 - platform_turn_xx * minus_platform_rate_mx)))
+        )  # limb5_S
         minus_limb5_S_reduced_force_wx = t313 + (limb1_U_handed_force_0 + (t372 + (t417 - t529)))
         t533 = limb5_S_handed_inertia_wz * limb5_S_joint_acc_still_wz  # limb5_S
         # limb1: free motion; accelerations; balance, eqs. (40)-(47)
@@ -8965,38 +10001,51 @@ def forward_dynamics_independent(*arguments):
         limb3_S_handed_force_1 = minus_limb3_U_follows_0_by_limb3_S_1 * minus_limb3_U_handed_force_0
         t537 = limb3_U_0_cos * limb3_S_handed_force_1  # limb3
         t539 = limb1_U_mass_matrix_1_by_limb1_U_1 * (t31 * t155)
-        limb1_U_0_acc_y = 9.81 * limb1_U_0_cos
-        minus_limb1_lower_moment_z = limb1_upper_offset_x * (1.42 * (limb1_lower_sin * limb1_U_0_acc_y))
+        limb1_U_0_acc_y = gravity_z * limb1_U_0_cos
+        minus_limb1_lower_moment_z = limb1_upper_offset_x * (limb_lower_m * (limb1_lower_sin * limb1_U_0_acc_y))
         t540 = t316 * t151
         t541 = 0.5 * t323
         minus_limb1_U_0_U_still_xx = minus_limb1_U_joint_rate_0 * minus_limb1_U_joint_rate_0
-        t545 = limb1_U_follows_1_by_limb1_U2_0 * (t539 - (minus_limb1_lower_moment_z - (t540 - t541 * minus_limb1_U_0_U_still_xx)))
-        t550 = 1.42 * (t141 * (0.8 * t91) + minus_limb1_U2_arm_y * t152)
-        limb1_P_generalised_force = 1.42 * (limb1_lower_cos * limb1_U_0_acc_y) - limb1_P_u
+        t545 = (
+            limb1_U_follows_1_by_limb1_U2_0 * (t539 - (minus_limb1_lower_moment_z - (t540 - t541 *
+            minus_limb1_U_0_U_still_xx)))
+        )
+        t550 = limb_lower_m * (t141 * (param_R * t91) + minus_limb1_U2_arm_y * t152)
+        limb1_P_generalised_force = limb_lower_m * (limb1_lower_cos * limb1_U_0_acc_y) - limb1_P_u
         t553 = 0.5 * t316 * (limb1_U_joint_rate_1 * limb1_U_joint_rate_1)
-        t558 = minus_limb1_U2_arm_y * (t550 - (limb1_P_generalised_force - (t553 + 0.5 * t318 * minus_limb1_U_0_U_still_xx)))
+        t558 = (
+            minus_limb1_U2_arm_y * (t550 - (limb1_P_generalised_force - (t553 + 0.5 * t318 *
+            minus_limb1_U_0_U_still_xx)))
+        )
         limb1_U2_handed_force_0 = t545 - t558
         t559 = limb1_U_0_sin * limb1_U2_handed_force_0
         t560 = minus_limb4_U_0_cos * limb4_S_handed_force_0  # limb4
         t561 = minus_limb2_U_0_cos * minus_limb2_S_handed_force_0  # limb2
         # limb3: free motion; accelerations; balance, eqs. (40)-(47)
-        t564 = t442 * (minus_limb3_P_joint_rate - 0.8 * t427)
+        t564 = t442 * (minus_limb3_P_joint_rate - param_R * t427)
         t565 = minus_limb3_P_joint_rate * limb3_U_joint_rate_1
         t566 = t432 * minus_limb3_U_joint_rate_0
         t571 = limb3_U_mass_matrix_1_by_limb3_U_1 * (t275 * (t564 - (t565 - limb3_S_arm_x * t566)))
-        limb3_U_0_acc_y = 9.81 * limb3_U_0_cos
-        limb3_lower_moment_z = limb3_upper_offset_x * (1.42 * (minus_limb3_lower_sin * limb3_U_0_acc_y))
+        limb3_U_0_acc_y = gravity_z * limb3_U_0_cos
+        limb3_lower_moment_z = limb3_upper_offset_x * (limb_lower_m * (minus_limb3_lower_sin * limb3_U_0_acc_y))
         t572 = t450 * t565
         t573 = 0.5 * t457
         minus_limb3_U_0_U_still_xx = minus_limb3_U_joint_rate_0 * minus_limb3_U_joint_rate_0
-        t577 = limb3_U_follows_1_by_limb3_S_0 * (t571 - (limb3_lower_moment_z - (t572 - t573 * minus_limb3_U_0_U_still_xx)))
-        t582 = 1.42 * (t442 * (0.8 * t422) - limb3_S_arm_y * t566)
-        limb3_P_generalised_force = 1.42 * (limb3_lower_cos * limb3_U_0_acc_y) - limb3_P_u
+        t577 = (
+            limb3_U_follows_1_by_limb3_S_0 * (t571 - (limb3_lower_moment_z - (t572 - t573 *
+            minus_limb3_U_0_U_still_xx)))
+        )
+        t582 = limb_lower_m * (t442 * (param_R * t422) - limb3_S_arm_y * t566)
+        limb3_P_generalised_force = limb_lower_m * (limb3_lower_cos * limb3_U_0_acc_y) - limb3_P_u
         t585 = 0.5 * t450 * (limb3_U_joint_rate_1 * limb3_U_joint_rate_1)
-        t590 = limb3_S_arm_y * (t582 - (limb3_P_generalised_force - (t585 + 0.5 * t452 * minus_limb3_U_0_U_still_xx)))
+        t590 = (
+            limb3_S_arm_y * (t582 - (limb3_P_generalised_force - (t585 + 0.5 * t452 * minus_limb3_U_0_U_still_xx)))
+        )
         minus_limb3_S_handed_force_0 = t577 - t590
         t591 = limb3_U_0_sin * minus_limb3_S_handed_force_0
-        t596 = t561 - (t591 - (platform_turn_zy * platform_rate_my - platform_turn_zx * minus_platform_rate_mx))  # limb5_S
+        t596 = (
+            t561 - (t591 - (platform_turn_zy * platform_rate_my - platform_turn_zx * minus_platform_rate_mx))
+        )  # limb5_S
         t602 = t534 + (t535 + (t536 + (t537 + (t559 - (t560 - t596)))))  # limb5_S
         t603 = limb5_S_null_space_wz_by_limb5_S_wy * (t533 + t602)  # limb5_S
         t604 = t295 * limb5_S_joint_acc_still_wz  # limb5_S
@@ -9006,15 +10055,21 @@ def forward_dynamics_independent(*arguments):
         t608 = limb3_U_0_cos * minus_limb3_S_handed_force_0
         # limb5_S: free motion; accelerations; pivots
         t613 = t607 - (t608 - (platform_turn_yy * platform_rate_my - platform_turn_yx * minus_platform_rate_mx))
-        minus_limb5_S_reduced_force_wy = t603 - (t604 + (t605 - (limb4_U_handed_force_0 - (minus_limb2_U_handed_force_0 + (t606 - t613)))))
+        minus_limb5_S_reduced_force_wy = (
+            t603 - (t604 + (t605 - (limb4_U_handed_force_0 - (minus_limb2_U_handed_force_0 + (t606 - t613)))))
+        )
         t620 = minus_limb5_S_reduced_force_wx - minus_limb5_S_reduced_force_wy * t312
         t621 = t230 - t297  # limb4
-        t625 = limb3_U_mass_matrix_0_by_limb3_U_0 + (69.4749 + platform_turn_xz * (22.6251 * platform_turn_xz))
-        limb5_S_reduced_inertia_wx_by_limb5_S_wx = limb1_U_mass_matrix_0_by_limb1_U_0 + (t621 + (t625 + (t245 - t299)))
+        t625 = limb3_U_mass_matrix_0_by_limb3_U_0 + (k13 + platform_turn_xz * (k12 * platform_turn_xz))
+        limb5_S_reduced_inertia_wx_by_limb5_S_wx = (
+            limb1_U_mass_matrix_0_by_limb1_U_0 + (t621 + (t625 + (t245 - t299)))
+        )
         pivot_1 = limb5_S_reduced_inertia_wx_by_limb5_S_wx - limb5_S_reduced_inertia_wx_by_limb5_S_wy * t312
         minus_limb5_S_joint_acc_wx = t620 / pivot_1
         limb5_S_joint_acc_wy = t312 * minus_limb5_S_joint_acc_wx - minus_limb5_S_reduced_force_wy * t311
-        limb5_S_joint_acc_wz = limb5_S_joint_acc_still_wz + limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_joint_acc_wy
+        limb5_S_joint_acc_wz = (
+            limb5_S_joint_acc_still_wz + limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_joint_acc_wy
+        )
         # limb5_S: results
         t633 = platform_turn_zz * limb5_S_joint_acc_wz
         t637 = t633 + (platform_turn_yz * limb5_S_joint_acc_wy - platform_turn_xz * minus_limb5_S_joint_acc_wx)
@@ -9037,13 +10092,22 @@ def forward_dynamics_independent(*arguments):
         t686 = t680 + (t43 * t665 - t52 * t652 - t40 * t658)
         t687 = 0.5 * t686
         limb5_S_y_ddot_qy = -t687
-        return _finish(batch, ((limb5_S_y_ddot_qx, limb5_S_y_ddot_qy),),
-            ((minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-10),
-            (minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-10),
-            (minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-10),
-            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-10), (minus_limb5_S_pivot_wz,
-            1.0e-09), (a_pivot, 1.0e-09), (limb5_S_reduced_inertia_wy_by_limb5_S_wy,
-            7.562600000000002e-08), (pivot_1, 7.551200000000001e-08)),
+        guards = (  # status 1 where a pivot is smaller than its limit:
+            (minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-10),  # where the reciprocal wrench limb3_S.fz has no
+            # power along limb3_U.0, as in a stretched limb
+            (minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-10),  # where the reciprocal wrench limb2_S.fz has no
+            # power along limb2_U.0, as in a stretched limb
+            (minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-10),  # where the reciprocal wrench limb4_S.fz has no
+            # power along limb4_U.0, as in a stretched limb
+            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-10),  # where the reciprocal wrench limb1_U2.fz has
+            # no power along limb1_U.0, as in a stretched limb
+            (minus_limb5_S_pivot_wz, 1.0e-09),  # where the loops no longer determine limb5_S.wz
+            (a_pivot, 1.0e-09),  # where the elimination meets a singularity
+            (limb5_S_reduced_inertia_wy_by_limb5_S_wy, 7.562600000000002e-08),  # where limb5_S.wy feels no inertia
+            (pivot_1, 7.551200000000001e-08),  # where step 1 of symmetric equations loses rank: of drives, inertia
+            # or internal loads
+        )
+        return _finish(batch, ((limb5_S_y_ddot_qx, limb5_S_y_ddot_qy),), guards,
             (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, minus_limb5_S_pivot_wz, a_pivot,
             minus_limb3_U_0_lever_mz_by_limb3_S_fz, minus_limb2_U_0_lever_mz_by_limb2_S_fz,
             minus_limb4_U_0_lever_mz_by_limb4_S_fz, limb5_S_reduced_inertia_wy_by_limb5_S_wy,
@@ -9052,7 +10116,8 @@ def forward_dynamics_independent(*arguments):
 
 def _forward_dynamics_reactions_first(*arguments):
     """The first path of forward_dynamics_reactions."""
-    entries, batch = _entries("_forward_dynamics_reactions_first", {"q": 16, "v": 15, "u": 4}, arguments)
+    entries, batch = _entries("_forward_dynamics_reactions_first", {"q": 16, "v": 15, "u": 4},
+        arguments)
     (
         limb1_U_q_0, limb1_U_q_1, limb1_P_q, limb2_U_q_0, limb2_U_q_1, limb2_P_q, limb3_U_q_0,
         limb3_U_q_1, limb3_P_q, limb4_U_q_0, limb4_U_q_1, limb4_P_q, limb5_S_q_qw, limb5_S_q_qx,
@@ -9063,47 +10128,47 @@ def _forward_dynamics_reactions_first(*arguments):
     with np.errstate(all="ignore"):
         # limb1: geometry; rates that follow; inertia
         limb1_U_0_cos = np.cos(limb1_U_q_0)
-        t1 = 0.5235987755982989 + limb1_U_q_1
+        t1 = limb_lower_phase + limb1_U_q_1
         limb1_lower_sin = np.sin(t1)
-        limb1_upper_offset_x = 0.3 + limb1_P_q
-        minus_limb1_upper_position_x = 0.8 - limb1_lower_sin * limb1_upper_offset_x
+        limb1_upper_offset_x = limb_upper_phase + limb1_P_q
+        minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x
         limb1_lower_cos = np.cos(t1)
         minus_limb1_U_0_lever_mz_by_limb1_U2_fz = limb1_lower_cos * limb1_upper_offset_x
         t2 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz
         limb1_U_follows_0_by_limb1_U2_1 = minus_limb1_upper_position_x * t2
-        limb1_lower_composite_first_x = 1.42 * limb1_upper_offset_x
-        t3 = 0.426 - limb1_lower_composite_first_x
+        limb1_lower_composite_first_x = limb_lower_m * limb1_upper_offset_x
+        t3 = k7 - limb1_lower_composite_first_x
         t4 = limb1_upper_offset_x * t3
-        t5 = t4 - 2.2727
+        t5 = t4 - k8
         t6 = limb1_lower_cos * t5
-        limb1_U_mass_matrix_0_by_limb1_U_0 = 0.1112 - limb1_lower_cos * t6
+        limb1_U_mass_matrix_0_by_limb1_U_0 = k3 - limb1_lower_cos * t6
         t8 = limb1_U_follows_0_by_limb1_U2_1 * limb1_U_mass_matrix_0_by_limb1_U_0
         t9 = limb1_U_0_cos * t8
         # limb4: geometry; inertia; free motion
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
         limb4_U_0_sin = np.cos(limb4_U_q_0)
-        t10 = 2.6179938779914944 - limb4_U_q_1
+        t10 = limb_lower_phase_2 - limb4_U_q_1
         minus_limb4_lower_sin = np.sin(t10)
-        limb4_upper_offset_x = 0.3 + limb4_P_q
-        limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
+        limb4_upper_offset_x = limb_upper_phase + limb4_P_q
+        limb4_upper_position_y = param_R - minus_limb4_lower_sin * limb4_upper_offset_x
         limb4_lower_cos = np.cos(t10)
         minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x
         t11 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz
         minus_limb4_U_follows_0_by_limb4_S_1 = limb4_upper_position_y * t11
-        limb4_lower_composite_first_x = 1.42 * limb4_upper_offset_x
-        t12 = 0.426 - limb4_lower_composite_first_x
+        limb4_lower_composite_first_x = limb_lower_m * limb4_upper_offset_x
+        t12 = k7 - limb4_lower_composite_first_x
         t13 = limb4_upper_offset_x * t12
-        t14 = t13 - 2.2727
+        t14 = t13 - k8
         t15 = limb4_lower_cos * t14
-        limb4_U_mass_matrix_0_by_limb4_U_0 = 0.1112 - limb4_lower_cos * t15
+        limb4_U_mass_matrix_0_by_limb4_U_0 = k3 - limb4_lower_cos * t15
         t17 = minus_limb4_U_follows_0_by_limb4_S_1 * limb4_U_mass_matrix_0_by_limb4_U_0
         t18 = minus_limb4_U_follows_0_by_limb4_S_1 * t17
-        limb4_S_arm_y = 0.8 * limb4_lower_cos
-        t20 = limb4_S_arm_y * (1.136 * limb4_lower_cos)
-        limb4_S_arm_x = limb4_upper_offset_x - 0.8 * minus_limb4_lower_sin
+        limb4_S_arm_y = param_R * limb4_lower_cos
+        t20 = limb4_S_arm_y * (k20 * limb4_lower_cos)
+        limb4_S_arm_x = limb4_upper_offset_x - param_R * minus_limb4_lower_sin
         t22 = limb4_lower_cos * t11
         limb4_U_follows_1_by_limb4_S_0 = limb4_S_arm_x * t22
-        limb4_U_mass_matrix_1_by_limb4_U_1 = 2.3439 - t13
+        limb4_U_mass_matrix_1_by_limb4_U_1 = k9 - t13
         t24 = limb4_U_follows_1_by_limb4_S_0 * (limb4_U_mass_matrix_1_by_limb4_U_1 * limb4_U_follows_1_by_limb4_S_0)
         t25 = t20 + t24
         t27 = limb4_U_0_sin * (t18 - t25)
@@ -9123,51 +10188,51 @@ def _forward_dynamics_reactions_first(*arguments):
         t41 = limb5_S_q_qw * t40
         platform_turn_xz = t39 + t41
         platform_turn_zz = 1.0 - t37 * (t30 + t32)
-        t44 = 22.6251 * platform_turn_zz
+        t44 = k12 * platform_turn_zz
         t45 = platform_turn_xz * t44
         # limb3: geometry; rates that follow; inertia
         limb3_U_0_cos = np.cos(limb3_U_q_0)
-        t46 = 0.5235987755982989 - limb3_U_q_1
+        t46 = limb_lower_phase - limb3_U_q_1
         minus_limb3_lower_sin = np.sin(t46)
-        limb3_upper_offset_x = 0.3 + limb3_P_q
-        limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
+        limb3_upper_offset_x = limb_upper_phase + limb3_P_q
+        limb3_upper_position_x = param_R - minus_limb3_lower_sin * limb3_upper_offset_x
         limb3_lower_cos = np.cos(t46)
         minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x
         t47 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
         minus_limb3_U_follows_0_by_limb3_S_1 = limb3_upper_position_x * t47
-        limb3_lower_composite_first_x = 1.42 * limb3_upper_offset_x
-        t48 = 0.426 - limb3_lower_composite_first_x
+        limb3_lower_composite_first_x = limb_lower_m * limb3_upper_offset_x
+        t48 = k7 - limb3_lower_composite_first_x
         t49 = limb3_upper_offset_x * t48
-        t50 = t49 - 2.2727
+        t50 = t49 - k8
         t51 = limb3_lower_cos * t50
-        limb3_U_mass_matrix_0_by_limb3_U_0 = 0.1112 - limb3_lower_cos * t51
+        limb3_U_mass_matrix_0_by_limb3_U_0 = k3 - limb3_lower_cos * t51
         t53 = minus_limb3_U_follows_0_by_limb3_S_1 * limb3_U_mass_matrix_0_by_limb3_U_0
         t55 = t45 - limb3_U_0_cos * t53  # limb5_S
         # limb2: geometry; inertia; free motion
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
         limb2_U_0_sin = np.cos(limb2_U_q_0)
-        t56 = 2.6179938779914944 + limb2_U_q_1
+        t56 = limb_lower_phase_2 + limb2_U_q_1
         limb2_lower_sin = np.sin(t56)
-        limb2_upper_offset_x = 0.3 + limb2_P_q
-        minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
+        limb2_upper_offset_x = limb_upper_phase + limb2_P_q
+        minus_limb2_upper_position_y = param_R - limb2_lower_sin * limb2_upper_offset_x
         limb2_lower_cos = np.cos(t56)
         minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x
         t57 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
         limb2_U_follows_0_by_limb2_S_1 = minus_limb2_upper_position_y * t57
-        limb2_lower_composite_first_x = 1.42 * limb2_upper_offset_x
-        t58 = 0.426 - limb2_lower_composite_first_x
+        limb2_lower_composite_first_x = limb_lower_m * limb2_upper_offset_x
+        t58 = k7 - limb2_lower_composite_first_x
         t59 = limb2_upper_offset_x * t58
-        t60 = t59 - 2.2727
+        t60 = t59 - k8
         t61 = limb2_lower_cos * t60
-        limb2_U_mass_matrix_0_by_limb2_U_0 = 0.1112 - limb2_lower_cos * t61
+        limb2_U_mass_matrix_0_by_limb2_U_0 = k3 - limb2_lower_cos * t61
         t63 = limb2_U_follows_0_by_limb2_S_1 * limb2_U_mass_matrix_0_by_limb2_U_0
         t64 = limb2_U_follows_0_by_limb2_S_1 * t63
-        minus_limb2_S_arm_y = 0.8 * limb2_lower_cos
-        t66 = minus_limb2_S_arm_y * (1.136 * limb2_lower_cos)
-        limb2_S_arm_x = limb2_upper_offset_x - 0.8 * limb2_lower_sin
+        minus_limb2_S_arm_y = param_R * limb2_lower_cos
+        t66 = minus_limb2_S_arm_y * (k20 * limb2_lower_cos)
+        limb2_S_arm_x = limb2_upper_offset_x - param_R * limb2_lower_sin
         t68 = limb2_lower_cos * t57
         limb2_U_follows_1_by_limb2_S_0 = limb2_S_arm_x * t68
-        limb2_U_mass_matrix_1_by_limb2_U_1 = 2.3439 - t59
+        limb2_U_mass_matrix_1_by_limb2_U_1 = k9 - t59
         t70 = limb2_U_follows_1_by_limb2_S_0 * (limb2_U_mass_matrix_1_by_limb2_U_1 * limb2_U_follows_1_by_limb2_S_0)
         t71 = t66 + t70
         t73 = limb2_U_0_sin * (t64 - t71)
@@ -9182,7 +10247,9 @@ def _forward_dynamics_reactions_first(*arguments):
         limb1_U2_constraint_mn_couple_x = t79 + limb1_U_0_sin * platform_turn_zy
         limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x
         minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * t2
-        minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn - minus_limb1_upper_position_x * minus_limb1_U_factor_0_by_3
+        minus_limb1_U2_factor_1_by_3 = (
+            limb1_U_0_lever_my_by_limb1_U2_mn - minus_limb1_upper_position_x * minus_limb1_U_factor_0_by_3
+        )
         t85 = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3
         t88 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy
         t89 = limb1_lower_cos * t88
@@ -9190,7 +10257,7 @@ def _forward_dynamics_reactions_first(*arguments):
         t91 = limb5_S_q_qw * t38  # limb5_S
         platform_turn_xy = t90 - t91
         limb1_U2_constraint_mn_couple_z = t89 - limb1_lower_sin * platform_turn_xy
-        limb1_U2_arm_x = limb1_upper_offset_x - 0.8 * limb1_lower_sin
+        limb1_U2_arm_x = limb1_upper_offset_x - param_R * limb1_lower_sin
         t94 = limb1_lower_cos * t2
         limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * t94
         minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * limb1_U_factor_1_by_3
@@ -9235,14 +10302,16 @@ def _forward_dynamics_reactions_first(*arguments):
         t151 = t142 - limb1_U2_constraint_mn_couple_z * (t143 - limb1_lower_omega_y * t147)
         limb1_U2_opening_mn = limb1_lower_sin * t88 + limb1_lower_cos * platform_turn_xy
         t157 = t147 * (limb1_U2_opening_mn * t147 + limb1_U2_constraint_mn_couple_z * t138)
-        limb1_U2_opening_bias_mn = t151 - (t157 - t133 * (limb1_U2_constraint_mn_couple_x * t138 - limb1_U2_opening_mn * t133))
+        limb1_U2_opening_bias_mn = (
+            t151 - (t157 - t133 * (limb1_U2_constraint_mn_couple_x * t138 - limb1_U2_opening_mn * t133))
+        )
         t163 = limb1_U_v_0 * t119  # limb5_S
         t164 = limb1_U2_arm_x * t163  # limb5_S
         t165 = limb1_U_v_1 * limb1_P_v
-        t170 = t164 + t165 - t108 * (limb1_P_v - 0.8 * t120)  # limb5_S
+        t170 = t164 + t165 - t108 * (limb1_P_v - param_R * t120)  # limb5_S
         minus_limb5_S_joint_acc_still_wz = t97 * (t132 - (limb1_U2_opening_bias_mn - t170 * limb1_U_factor_1_by_3))
         t174 = limb5_S_handed_inertia_wz_by_limb5_S_wx * minus_limb5_S_joint_acc_still_wz  # limb5_S
-        limb1_upper_force_z = 13.9302 * limb1_U_0_sin
+        limb1_upper_force_z = limb_lower_m_gravity_z * limb1_U_0_sin
         minus_limb1_U_0_moment_z = limb1_lower_cos * (limb1_upper_offset_x * limb1_upper_force_z)
         t177 = limb1_lower_sin * t6 + limb1_lower_cos * (limb1_lower_sin * t5)
         t179 = t177 * (limb1_U_v_0 * limb1_U_v_1)
@@ -9252,7 +10321,7 @@ def _forward_dynamics_reactions_first(*arguments):
         t187 = t2 * t131
         minus_limb1_U_handed_force_0 = t186 + limb1_U_mass_matrix_0_by_limb1_U_0 * t187
         # limb4: balance, eqs. (40)-(47)
-        minus_limb4_upper_force_z = 13.9302 * minus_limb4_U_0_cos
+        minus_limb4_upper_force_z = limb_lower_m_gravity_z * minus_limb4_U_0_cos
         limb4_U_0_moment_z = limb4_lower_cos * (limb4_upper_offset_x * minus_limb4_upper_force_z)
         # limb4: free motion; velocities, eq. (6)
         t191 = minus_limb4_lower_sin * t15 + limb4_lower_cos * (minus_limb4_lower_sin * t14)
@@ -9274,7 +10343,7 @@ def _forward_dynamics_reactions_first(*arguments):
         minus_limb4_S_handed_force_1 = minus_limb4_U_follows_0_by_limb4_S_1 * limb4_U_handed_force_0
         t224 = minus_limb4_U_0_cos * minus_limb4_S_handed_force_1
         # limb2: balance, eqs. (40)-(47)
-        minus_limb2_upper_force_z = 13.9302 * minus_limb2_U_0_cos
+        minus_limb2_upper_force_z = limb_lower_m_gravity_z * minus_limb2_U_0_cos
         limb2_U_0_moment_z = limb2_lower_cos * (limb2_upper_offset_x * minus_limb2_upper_force_z)
         # limb2: free motion; velocities, eq. (6)
         t227 = limb2_lower_sin * t61 + limb2_lower_cos * (limb2_lower_sin * t60)
@@ -9297,7 +10366,7 @@ def _forward_dynamics_reactions_first(*arguments):
         t260 = minus_limb2_U_0_cos * limb2_S_handed_force_1
         # limb3: geometry; balance, eqs. (40)-(47)
         limb3_U_0_sin = np.sin(limb3_U_q_0)
-        limb3_upper_force_z = 13.9302 * limb3_U_0_sin
+        limb3_upper_force_z = limb_lower_m_gravity_z * limb3_U_0_sin
         minus_limb3_U_0_moment_z = limb3_lower_cos * (limb3_upper_offset_x * limb3_upper_force_z)
         # limb3: free motion; velocities, eq. (6)
         t263 = minus_limb3_lower_sin * t51 + limb3_lower_cos * (minus_limb3_lower_sin * t50)
@@ -9317,9 +10386,9 @@ def _forward_dynamics_reactions_first(*arguments):
         t294 = t47 * (t291 + platform_twist_wx * t281)
         minus_limb3_U_handed_force_0 = t272 - limb3_U_mass_matrix_0_by_limb3_U_0 * t294
         # limb4: accelerations; balance, eqs. (40)-(47)
-        minus_limb4_U_0_acc_y = 9.81 * limb4_U_0_sin
+        minus_limb4_U_0_acc_y = gravity_z * limb4_U_0_sin
         minus_limb4_lower_acc_x = limb4_lower_cos * minus_limb4_U_0_acc_y
-        minus_limb4_upper_force_x = 1.42 * minus_limb4_lower_acc_x
+        minus_limb4_upper_force_x = limb_lower_m * minus_limb4_lower_acc_x
         # limb4: free motion; accelerations; balance, eqs. (40)-(47)
         minus_limb4_P_generalised_force = minus_limb4_upper_force_x + limb4_P_u
         minus_limb4_U_0_U_still_xx = limb4_U_v_0 * limb4_U_v_0
@@ -9327,33 +10396,35 @@ def _forward_dynamics_reactions_first(*arguments):
         t298 = limb4_U_v_1 * limb4_U_v_1
         t302 = minus_limb4_P_generalised_force + (t297 + t298 * (0.5 * t194))
         t303 = limb4_U_v_0 * t214
-        t307 = limb4_S_arm_y * t303 + t203 * (0.8 * t206)
-        t309 = limb4_S_arm_y * (t302 - 1.42 * t307)
+        t307 = limb4_S_arm_y * t303 + t203 * (param_R * t206)
+        t309 = limb4_S_arm_y * (t302 - limb_lower_m * t307)
         minus_limb4_lower_acc_y = minus_limb4_lower_sin * minus_limb4_U_0_acc_y
-        minus_limb4_upper_force_y = 1.42 * minus_limb4_lower_acc_y
+        minus_limb4_upper_force_y = limb_lower_m * minus_limb4_lower_acc_y
         minus_limb4_lower_moment_z = limb4_upper_offset_x * minus_limb4_upper_force_y
         t311 = minus_limb4_U_0_U_still_xx * (0.5 * t191)
         t312 = limb4_U_v_1 * limb4_P_v
         t315 = minus_limb4_lower_moment_z - (t311 + t312 * t194)
-        t321 = limb4_S_arm_x * t303 + t312 + t203 * (limb4_P_v + 0.8 * t215)
+        t321 = limb4_S_arm_x * t303 + t312 + t203 * (limb4_P_v + param_R * t215)
         t322 = t321 * t22
-        limb4_S_handed_force_0 = t309 - limb4_U_follows_1_by_limb4_S_0 * (t315 + limb4_U_mass_matrix_1_by_limb4_U_1 * t322)
+        limb4_S_handed_force_0 = (
+            t309 - limb4_U_follows_1_by_limb4_S_0 * (t315 + limb4_U_mass_matrix_1_by_limb4_U_1 * t322)
+        )
         t325 = limb4_U_0_sin * limb4_S_handed_force_0
         # platform: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
         platform_U_still_yz = limb5_S_v_wy * limb5_S_v_wz
-        t326 = 22.6251 * platform_U_still_yz
-        minus_platform_moment_x = 14.62961126155784 * platform_turn_zy
+        t326 = k12 * platform_U_still_yz
+        minus_platform_moment_x = gravity_z_platform_mz * platform_turn_zy
         platform_rate_mx = t326 - minus_platform_moment_x
         t327 = platform_turn_xx * platform_rate_mx
         platform_U_still_xz = limb5_S_v_wx * limb5_S_v_wz
-        t328 = 22.6251 * platform_U_still_xz
-        platform_moment_y = 14.62961126155784 * platform_turn_zx
+        t328 = k12 * platform_U_still_xz
+        platform_moment_y = gravity_z_platform_mz * platform_turn_zx
         minus_platform_rate_my = t328 - platform_moment_y
         t330 = t327 - platform_turn_xy * minus_platform_rate_my
         # limb2: accelerations; balance, eqs. (40)-(47)
-        minus_limb2_U_0_acc_y = 9.81 * limb2_U_0_sin
+        minus_limb2_U_0_acc_y = gravity_z * limb2_U_0_sin
         minus_limb2_lower_acc_x = limb2_lower_cos * minus_limb2_U_0_acc_y
-        minus_limb2_upper_force_x = 1.42 * minus_limb2_lower_acc_x
+        minus_limb2_upper_force_x = limb_lower_m * minus_limb2_lower_acc_x
         # limb2: free motion; accelerations; balance, eqs. (40)-(47)
         minus_limb2_P_generalised_force = minus_limb2_upper_force_x + limb2_P_u
         minus_limb2_U_0_U_still_xx = limb2_U_v_0 * limb2_U_v_0
@@ -9361,26 +10432,34 @@ def _forward_dynamics_reactions_first(*arguments):
         t333 = limb2_U_v_1 * limb2_U_v_1
         t337 = minus_limb2_P_generalised_force + (t332 + t333 * (0.5 * t230))
         t338 = limb2_U_v_0 * t250
-        t342 = minus_limb2_S_arm_y * t338 - t239 * (0.8 * t242)
-        t344 = minus_limb2_S_arm_y * (t337 + 1.42 * t342)
+        t342 = minus_limb2_S_arm_y * t338 - t239 * (param_R * t242)
+        t344 = minus_limb2_S_arm_y * (t337 + limb_lower_m * t342)
         limb2_lower_acc_y = limb2_lower_sin * minus_limb2_U_0_acc_y
-        limb2_upper_force_y = 1.42 * limb2_lower_acc_y
+        limb2_upper_force_y = limb_lower_m * limb2_lower_acc_y
         limb2_lower_moment_z = limb2_upper_offset_x * limb2_upper_force_y
         t346 = minus_limb2_U_0_U_still_xx * (0.5 * t227)
         t347 = limb2_U_v_1 * limb2_P_v
         t350 = limb2_lower_moment_z - (t346 - t347 * t230)
-        t356 = limb2_S_arm_x * t338 + t347 + t239 * (limb2_P_v - 0.8 * t251)
+        t356 = limb2_S_arm_x * t338 + t347 + t239 * (limb2_P_v - param_R * t251)
         t357 = t356 * t68
-        minus_limb2_S_handed_force_0 = t344 - limb2_U_follows_1_by_limb2_S_0 * (t350 - limb2_U_mass_matrix_1_by_limb2_U_1 * t357)
-        t363 = minus_limb3_U_handed_force_0 - (t325 + (t330 - limb2_U_0_sin * minus_limb2_S_handed_force_0))  # limb5_S
+        minus_limb2_S_handed_force_0 = (
+            t344 - limb2_U_follows_1_by_limb2_S_0 * (t350 - limb2_U_mass_matrix_1_by_limb2_U_1 * t357)
+        )
+        t363 = (
+            minus_limb3_U_handed_force_0 - (t325 + (t330 - limb2_U_0_sin * minus_limb2_S_handed_force_0))
+        )  # limb5_S
         limb5_S_reduced_force_wx = t174 + (minus_limb1_U_handed_force_0 - (t224 - (t260 + t363)))
-        limb5_S_null_space_wz_by_limb5_S_wy = t97 * (limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - limb1_U_0_cos * minus_limb1_U2_factor_0_by_3)
+        limb5_S_null_space_wz_by_limb5_S_wy = (
+            t97 * (limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - limb1_U_0_cos * minus_limb1_U2_factor_0_by_3)
+        )
         # limb1: reciprocal wrenches, eq. (10); free motion; rates that follow
-        minus_limb1_U2_arm_y = 0.8 * limb1_lower_cos
-        t371 = minus_limb1_U2_arm_y * (1.136 * limb1_lower_cos)
+        minus_limb1_U2_arm_y = param_R * limb1_lower_cos
+        t371 = minus_limb1_U2_arm_y * (k20 * limb1_lower_cos)
         limb1_U_follows_1_by_limb1_U2_0 = limb1_U2_arm_x * t94
-        limb1_U_mass_matrix_1_by_limb1_U_1 = 2.3439 - t4
-        t373 = limb1_U_follows_1_by_limb1_U2_0 * (limb1_U_mass_matrix_1_by_limb1_U_1 * limb1_U_follows_1_by_limb1_U2_0)
+        limb1_U_mass_matrix_1_by_limb1_U_1 = k9 - t4
+        t373 = (
+            limb1_U_follows_1_by_limb1_U2_0 * (limb1_U_mass_matrix_1_by_limb1_U_1 * limb1_U_follows_1_by_limb1_U2_0)
+        )
         t374 = t371 + t373
         t375 = limb1_U_follows_0_by_limb1_U2_1 * t8
         t377 = limb1_U_0_cos * (t375 - t374)
@@ -9390,15 +10469,17 @@ def _forward_dynamics_reactions_first(*arguments):
         t381 = t25 + t380  # limb4
         t382 = limb2_U_0_sin * t73  # limb2
         t383 = t71 + t382  # limb2
-        t385 = 69.4749 + platform_turn_zz * t44  # platform
+        t385 = k13 + platform_turn_zz * t44  # platform
         # limb3: reciprocal wrenches, eq. (10); free motion; rates that follow
-        limb3_S_arm_y = 0.8 * limb3_lower_cos
-        t387 = limb3_S_arm_y * (1.136 * limb3_lower_cos)
-        limb3_S_arm_x = limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin
+        limb3_S_arm_y = param_R * limb3_lower_cos
+        t387 = limb3_S_arm_y * (k20 * limb3_lower_cos)
+        limb3_S_arm_x = limb3_upper_offset_x - param_R * minus_limb3_lower_sin
         t389 = limb3_lower_cos * t47
         limb3_U_follows_1_by_limb3_S_0 = limb3_S_arm_x * t389
-        limb3_U_mass_matrix_1_by_limb3_U_1 = 2.3439 - t49
-        t391 = limb3_U_follows_1_by_limb3_S_0 * (limb3_U_mass_matrix_1_by_limb3_U_1 * limb3_U_follows_1_by_limb3_S_0)
+        limb3_U_mass_matrix_1_by_limb3_U_1 = k9 - t49
+        t391 = (
+            limb3_U_follows_1_by_limb3_S_0 * (limb3_U_mass_matrix_1_by_limb3_U_1 * limb3_U_follows_1_by_limb3_S_0)
+        )
         t392 = t387 + t391
         t393 = minus_limb3_U_follows_0_by_limb3_S_1 * t53
         t395 = limb3_U_0_cos * (t393 - t392)
@@ -9412,30 +10493,32 @@ def _forward_dynamics_reactions_first(*arguments):
         t404 = limb2_U_0_sin * limb2_S_handed_force_1  # limb2
         limb3_S_handed_force_1 = minus_limb3_U_follows_0_by_limb3_S_1 * minus_limb3_U_handed_force_0
         t405 = limb3_U_0_cos * limb3_S_handed_force_1  # limb3
-        limb1_U_0_acc_y = 9.81 * limb1_U_0_cos
+        limb1_U_0_acc_y = gravity_z * limb1_U_0_cos
         limb1_lower_acc_x = limb1_lower_cos * limb1_U_0_acc_y
-        limb1_upper_force_x = 1.42 * limb1_lower_acc_x
+        limb1_upper_force_x = limb_lower_m * limb1_lower_acc_x
         limb1_P_generalised_force = limb1_upper_force_x - limb1_P_u
         minus_limb1_U_0_U_still_xx = limb1_U_v_0 * limb1_U_v_0
         t407 = minus_limb1_U_0_U_still_xx * (0.5 * t182)
         t408 = limb1_U_v_1 * limb1_U_v_1
         t412 = limb1_P_generalised_force - (t407 + t408 * (0.5 * t180))
-        t416 = minus_limb1_U2_arm_y * t163 + t108 * (0.8 * t111)
-        t418 = minus_limb1_U2_arm_y * (t412 - 1.42 * t416)
+        t416 = minus_limb1_U2_arm_y * t163 + t108 * (param_R * t111)
+        t418 = minus_limb1_U2_arm_y * (t412 - limb_lower_m * t416)
         minus_limb1_lower_acc_y = limb1_lower_sin * limb1_U_0_acc_y
-        minus_limb1_upper_force_y = 1.42 * minus_limb1_lower_acc_y
+        minus_limb1_upper_force_y = limb_lower_m * minus_limb1_lower_acc_y
         minus_limb1_lower_moment_z = limb1_upper_offset_x * minus_limb1_upper_force_y
         t423 = minus_limb1_lower_moment_z + (minus_limb1_U_0_U_still_xx * (0.5 * t177) - t165 * t180)
         t424 = t170 * t94
-        limb1_U2_handed_force_0 = t418 - limb1_U_follows_1_by_limb1_U2_0 * (t423 + limb1_U_mass_matrix_1_by_limb1_U_1 * t424)
+        limb1_U2_handed_force_0 = (
+            t418 - limb1_U_follows_1_by_limb1_U2_0 * (t423 + limb1_U_mass_matrix_1_by_limb1_U_1 * t424)
+        )
         t427 = limb1_U_0_sin * limb1_U2_handed_force_0
         t428 = minus_limb4_U_0_cos * limb4_S_handed_force_0  # limb4
         t429 = minus_limb2_U_0_cos * minus_limb2_S_handed_force_0  # limb2
         t432 = platform_turn_zx * platform_rate_mx - platform_turn_zy * minus_platform_rate_my  # platform
         # limb3: accelerations; balance, eqs. (40)-(47)
-        limb3_U_0_acc_y = 9.81 * limb3_U_0_cos
+        limb3_U_0_acc_y = gravity_z * limb3_U_0_cos
         limb3_lower_acc_x = limb3_lower_cos * limb3_U_0_acc_y
-        limb3_upper_force_x = 1.42 * limb3_lower_acc_x
+        limb3_upper_force_x = limb_lower_m * limb3_lower_acc_x
         # limb3: free motion; accelerations; balance, eqs. (40)-(47)
         limb3_P_generalised_force = limb3_upper_force_x - limb3_P_u
         minus_limb3_U_0_U_still_xx = limb3_U_v_0 * limb3_U_v_0
@@ -9443,24 +10526,26 @@ def _forward_dynamics_reactions_first(*arguments):
         t435 = limb3_U_v_1 * limb3_U_v_1
         t439 = limb3_P_generalised_force - (t434 + t435 * (0.5 * t266))
         t440 = limb3_U_v_0 * t286
-        t444 = limb3_S_arm_y * t440 - t275 * (0.8 * t278)
-        t446 = limb3_S_arm_y * (t439 + 1.42 * t444)
+        t444 = limb3_S_arm_y * t440 - t275 * (param_R * t278)
+        t446 = limb3_S_arm_y * (t439 + limb_lower_m * t444)
         limb3_lower_acc_y = minus_limb3_lower_sin * limb3_U_0_acc_y
-        limb3_upper_force_y = 1.42 * limb3_lower_acc_y
+        limb3_upper_force_y = limb_lower_m * limb3_lower_acc_y
         limb3_lower_moment_z = limb3_upper_offset_x * limb3_upper_force_y
         t448 = minus_limb3_U_0_U_still_xx * (0.5 * t263)
         t449 = limb3_U_v_1 * limb3_P_v
         t452 = limb3_lower_moment_z + (t448 + t449 * t266)
-        t458 = limb3_S_arm_x * t440 + t449 - t275 * (limb3_P_v + 0.8 * t287)
+        t458 = limb3_S_arm_x * t440 + t449 - t275 * (limb3_P_v + param_R * t287)
         t459 = t458 * t389
-        minus_limb3_S_handed_force_0 = t446 - limb3_U_follows_1_by_limb3_S_0 * (t452 - limb3_U_mass_matrix_1_by_limb3_U_1 * t459)
+        minus_limb3_S_handed_force_0 = (
+            t446 - limb3_U_follows_1_by_limb3_S_0 * (t452 - limb3_U_mass_matrix_1_by_limb3_U_1 * t459)
+        )
         t467 = t405 + (t427 - (t428 - (t429 + (t432 - limb3_U_0_sin * minus_limb3_S_handed_force_0))))  # limb5_S
         t471 = limb5_S_null_space_wz_by_limb5_S_wy * (t401 + (t402 - (t403 - (t404 - t467))))  # limb5_S
         t472 = limb1_U_0_sin * t377  # limb1
         t473 = limb4_U_0_sin * t17  # limb4
         t474 = limb2_U_0_sin * t63  # limb2
         # limb5_S: free motion; accelerations; pivots
-        t475 = 22.6251 * platform_turn_yz
+        t475 = k12 * platform_turn_yz
         t481 = t472 - (t473 - (t474 - (platform_turn_zz * t475 - limb3_U_0_sin * t395)))
         t482 = t481 * minus_limb5_S_joint_acc_still_wz
         t483 = limb1_U_0_sin * minus_limb1_U2_handed_force_1  # limb1
@@ -9471,23 +10556,38 @@ def _forward_dynamics_reactions_first(*arguments):
         limb5_S_reduced_force_wy = t471 - (t482 + (t483 + (limb4_U_handed_force_0 + t493)))
         t501 = platform_turn_xz * t475 + limb3_U_0_sin * t53 - minus_limb2_U_0_cos * t63
         t505 = t501 + minus_limb4_U_0_cos * t17 - limb1_U_0_sin * t8
-        limb5_S_reduced_inertia_wx_by_limb5_S_wy = t505 + limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_handed_inertia_wz_by_limb5_S_wx
+        limb5_S_reduced_inertia_wx_by_limb5_S_wy = (
+            t505 + limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_handed_inertia_wz_by_limb5_S_wx
+        )
         t507 = t375 - t378  # limb1
-        t513 = limb4_U_mass_matrix_0_by_limb4_U_0 + (limb2_U_mass_matrix_0_by_limb2_U_0 + (69.4749 + platform_turn_yz * t475 + (t393 - t396)))
+        t513 = (
+            limb4_U_mass_matrix_0_by_limb4_U_0 + (limb2_U_mass_matrix_0_by_limb2_U_0 + (k13 + platform_turn_yz *
+            t475 + (t393 - t396)))
+        )
         t514 = t507 + t513
-        t518 = limb5_S_null_space_wz_by_limb5_S_wy * (t481 + (t481 - limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_handed_inertia_wz))
+        t518 = (
+            limb5_S_null_space_wz_by_limb5_S_wy * (t481 + (t481 - limb5_S_null_space_wz_by_limb5_S_wy *
+            limb5_S_handed_inertia_wz))
+        )
         limb5_S_reduced_inertia_wy_by_limb5_S_wy = t514 - t518
         t519 = 1.0 / limb5_S_reduced_inertia_wy_by_limb5_S_wy
         t520 = limb5_S_reduced_inertia_wx_by_limb5_S_wy * t519
         t522 = limb5_S_reduced_force_wx - limb5_S_reduced_force_wy * t520
         t523 = t18 - t380  # limb4
-        t527 = limb3_U_mass_matrix_0_by_limb3_U_0 + (69.4749 + platform_turn_xz * (22.6251 * platform_turn_xz))
-        limb5_S_reduced_inertia_wx_by_limb5_S_wx = limb1_U_mass_matrix_0_by_limb1_U_0 + (t523 + (t527 + (t64 - t382)))
+        t527 = limb3_U_mass_matrix_0_by_limb3_U_0 + (k13 + platform_turn_xz * (k12 * platform_turn_xz))
+        limb5_S_reduced_inertia_wx_by_limb5_S_wx = (
+            limb1_U_mass_matrix_0_by_limb1_U_0 + (t523 + (t527 + (t64 - t382)))
+        )
         pivot_1 = limb5_S_reduced_inertia_wx_by_limb5_S_wx - limb5_S_reduced_inertia_wx_by_limb5_S_wy * t520
         limb5_S_joint_acc_wx = t522 / pivot_1
         minus_limb5_S_joint_acc_wy = t520 * limb5_S_joint_acc_wx - limb5_S_reduced_force_wy * t519
-        minus_limb5_S_joint_acc_wz = minus_limb5_S_joint_acc_still_wz + limb5_S_null_space_wz_by_limb5_S_wy * minus_limb5_S_joint_acc_wy
-        t538 = limb1_U_follows_0_by_limb1_U2_1 * (limb1_U_0_cos * minus_limb5_S_joint_acc_wz - limb1_U_0_sin * minus_limb5_S_joint_acc_wy)  # limb1
+        minus_limb5_S_joint_acc_wz = (
+            minus_limb5_S_joint_acc_still_wz + limb5_S_null_space_wz_by_limb5_S_wy * minus_limb5_S_joint_acc_wy
+        )
+        t538 = (
+            limb1_U_follows_0_by_limb1_U2_1 * (limb1_U_0_cos * minus_limb5_S_joint_acc_wz - limb1_U_0_sin *
+            minus_limb5_S_joint_acc_wy)
+        )  # limb1
         limb1_U_joint_acc_0 = limb5_S_joint_acc_wx - (t187 + t538)
         t542 = limb1_U_0_sin * minus_limb5_S_joint_acc_wz + limb1_U_0_cos * minus_limb5_S_joint_acc_wy  # limb1
         minus_limb1_U_joint_acc_1 = t424 + limb1_U_follows_1_by_limb1_U2_0 * t542
@@ -9495,7 +10595,10 @@ def _forward_dynamics_reactions_first(*arguments):
         minus_limb1_P_joint_acc = t416 + minus_limb1_U2_arm_y * t542
         limb1_P_joint_acc = -minus_limb1_P_joint_acc
         # limb2: accelerations
-        t548 = limb2_U_follows_0_by_limb2_S_1 * (limb2_U_0_sin * minus_limb5_S_joint_acc_wz - minus_limb2_U_0_cos * limb5_S_joint_acc_wx)
+        t548 = (
+            limb2_U_follows_0_by_limb2_S_1 * (limb2_U_0_sin * minus_limb5_S_joint_acc_wz - minus_limb2_U_0_cos *
+            limb5_S_joint_acc_wx)
+        )
         minus_limb2_U_joint_acc_0 = minus_limb5_S_joint_acc_wy - (t258 + t548)
         limb2_U_joint_acc_0 = -minus_limb2_U_joint_acc_0
         t552 = minus_limb2_U_0_cos * minus_limb5_S_joint_acc_wz + limb2_U_0_sin * limb5_S_joint_acc_wx
@@ -9503,13 +10606,19 @@ def _forward_dynamics_reactions_first(*arguments):
         limb2_U_joint_acc_1 = -minus_limb2_U_joint_acc_1
         minus_limb2_P_joint_acc = t342 - minus_limb2_S_arm_y * t552
         limb2_P_joint_acc = -minus_limb2_P_joint_acc
-        t558 = minus_limb3_U_follows_0_by_limb3_S_1 * (limb3_U_0_cos * minus_limb5_S_joint_acc_wz - limb3_U_0_sin * minus_limb5_S_joint_acc_wy)  # limb3
+        t558 = (
+            minus_limb3_U_follows_0_by_limb3_S_1 * (limb3_U_0_cos * minus_limb5_S_joint_acc_wz - limb3_U_0_sin *
+            minus_limb5_S_joint_acc_wy)
+        )  # limb3
         limb3_U_joint_acc_0 = limb5_S_joint_acc_wx + (t294 + t558)
         t562 = limb3_U_0_sin * minus_limb5_S_joint_acc_wz + limb3_U_0_cos * minus_limb5_S_joint_acc_wy  # limb3
         minus_limb3_U_joint_acc_1 = t459 + limb3_U_follows_1_by_limb3_S_0 * t562
         limb3_U_joint_acc_1 = -minus_limb3_U_joint_acc_1
         limb3_P_joint_acc = t444 + limb3_S_arm_y * t562
-        t568 = minus_limb4_U_follows_0_by_limb4_S_1 * (limb4_U_0_sin * minus_limb5_S_joint_acc_wz - minus_limb4_U_0_cos * limb5_S_joint_acc_wx)  # limb4
+        t568 = (
+            minus_limb4_U_follows_0_by_limb4_S_1 * (limb4_U_0_sin * minus_limb5_S_joint_acc_wz - minus_limb4_U_0_cos
+            * limb5_S_joint_acc_wx)
+        )  # limb4
         minus_limb4_U_joint_acc_0 = minus_limb5_S_joint_acc_wy + (t222 + t568)
         limb4_U_joint_acc_0 = -minus_limb4_U_joint_acc_0
         t572 = minus_limb4_U_0_cos * minus_limb5_S_joint_acc_wz + limb4_U_0_sin * limb5_S_joint_acc_wx  # limb4
@@ -9518,29 +10627,39 @@ def _forward_dynamics_reactions_first(*arguments):
         limb4_P_joint_acc = t307 - limb4_S_arm_y * t572
         # platform: accelerations
         t575 = platform_turn_zx * minus_limb5_S_joint_acc_wz
-        minus_platform_alpha_x = t575 + (platform_turn_yx * minus_limb5_S_joint_acc_wy - platform_turn_xx * limb5_S_joint_acc_wx)
+        minus_platform_alpha_x = (
+            t575 + (platform_turn_yx * minus_limb5_S_joint_acc_wy - platform_turn_xx * limb5_S_joint_acc_wx)
+        )
         platform_alpha_x = -minus_platform_alpha_x
         t579 = platform_turn_zy * minus_limb5_S_joint_acc_wz
-        minus_platform_alpha_y = t579 + (platform_turn_yy * minus_limb5_S_joint_acc_wy - platform_turn_xy * limb5_S_joint_acc_wx)
+        minus_platform_alpha_y = (
+            t579 + (platform_turn_yy * minus_limb5_S_joint_acc_wy - platform_turn_xy * limb5_S_joint_acc_wx)
+        )
         platform_alpha_y = -minus_platform_alpha_y
         t583 = platform_turn_zz * minus_limb5_S_joint_acc_wz
-        minus_platform_alpha_z = t583 + (platform_turn_yz * minus_limb5_S_joint_acc_wy - platform_turn_xz * limb5_S_joint_acc_wx)
+        minus_platform_alpha_z = (
+            t583 + (platform_turn_yz * minus_limb5_S_joint_acc_wy - platform_turn_xz * limb5_S_joint_acc_wx)
+        )
         platform_alpha_z = -minus_platform_alpha_z
         # limb1: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
         minus_limb1_lower_U_still_xx = limb1_lower_omega_y * limb1_lower_omega_y + t408
-        minus_limb1_lower_rate_fx = 0.213 * minus_limb1_lower_U_still_xx
+        minus_limb1_lower_rate_fx = limb_lower_mx * minus_limb1_lower_U_still_xx
         minus_limb1_lower_sent_fx = minus_limb1_lower_rate_fx - limb1_upper_force_x - limb1_P_u
         t588 = limb1_lower_sin * minus_limb1_lower_sent_fx
         limb1_lower_U_still_xy = limb1_lower_omega_x * limb1_lower_omega_y
         limb1_lower_U_yx = limb1_lower_U_still_xy - minus_limb1_U_joint_acc_1
-        limb1_lower_rate_fy = 0.213 * limb1_lower_U_yx
+        limb1_lower_rate_fy = limb_lower_mx * limb1_lower_U_yx
         t590 = limb1_P_v * (2.0 * limb1_U_v_1)
         limb1_upper_acc_y = t590 - (minus_limb1_lower_acc_y - limb1_upper_offset_x * limb1_lower_U_yx)
-        minus_limb1_upper_rate_fy = limb1_lower_rate_fy - 1.42 * limb1_upper_acc_y
+        minus_limb1_upper_rate_fy = limb1_lower_rate_fy - limb_lower_m * limb1_upper_acc_y
         minus_platform_joint_force_mz_by_limb4_P = minus_limb4_U_0_cos * limb4_S_arm_y
         # limb1: balance, eqs. (40)-(47); momentum rate, eq. (35)
-        t595 = limb1_lower_cos * (limb1_U2_constraint_mn_couple_x - minus_limb1_U2_arm_y * minus_limb1_U_factor_0_by_3)
-        platform_joint_force_mz_by_limb1_U2_mn = limb1_U_0_cos * (t595 + limb1_lower_sin * (limb1_U2_arm_x * minus_limb1_U_factor_0_by_3)) + t96
+        t595 = (
+            limb1_lower_cos * (limb1_U2_constraint_mn_couple_x - minus_limb1_U2_arm_y * minus_limb1_U_factor_0_by_3)
+        )
+        platform_joint_force_mz_by_limb1_U2_mn = (
+            limb1_U_0_cos * (t595 + limb1_lower_sin * (limb1_U2_arm_x * minus_limb1_U_factor_0_by_3)) + t96
+        )
         t600 = 1.0 / platform_joint_force_mz_by_limb1_U2_mn  # platform
         limb1_U2_part_mn_by_limb4_P = minus_platform_joint_force_mz_by_limb4_P * t600
         t601 = limb4_P_u * (limb1_U_factor_1_by_3 * limb1_U2_part_mn_by_limb4_P)
@@ -9550,163 +10669,202 @@ def _forward_dynamics_reactions_first(*arguments):
         t603 = limb2_P_u * (limb1_U_factor_1_by_3 * minus_limb1_U2_part_mn_by_limb2_P)
         limb1_U2_part_mn_by_limb1_P = limb1_U_0_sin * minus_limb1_U2_arm_y * t600
         t604 = limb1_P_u * (limb1_U_factor_1_by_3 * limb1_U2_part_mn_by_limb1_P)
-        limb1_upper_moment_z = 0.213 * minus_limb1_lower_acc_y
-        minus_limb1_lower_rate_mz = limb1_upper_moment_z - (2.2727 * limb1_lower_U_still_xy - 2.3439 * minus_limb1_U_joint_acc_1)
+        limb1_upper_moment_z = limb_lower_mx * minus_limb1_lower_acc_y
+        minus_limb1_lower_rate_mz = (
+            limb1_upper_moment_z - (k8 * limb1_lower_U_still_xy - k9 * minus_limb1_U_joint_acc_1)
+        )
         t608 = limb1_upper_offset_x * minus_limb1_upper_rate_fy
-        minus_limb1_upper_rate_mz = 0.213 * limb1_upper_acc_y
+        minus_limb1_upper_rate_mz = limb_lower_mx * limb1_upper_acc_y
         minus_limb1_U2_part_fy = t94 * (minus_limb1_lower_rate_mz + (t608 + minus_limb1_upper_rate_mz))
         # limb4: momentum rate, eq. (35); accelerations; balance, eqs. (40)-(47)
-        minus_limb4_U_0_rate_mz = 0.1112 * minus_limb4_U_joint_acc_0
+        minus_limb4_U_0_rate_mz = k3 * minus_limb4_U_joint_acc_0
         limb4_lower_omega_y = limb4_U_v_0 * limb4_lower_cos
         limb4_lower_alpha_still_x = limb4_U_v_1 * limb4_lower_omega_y
-        t610 = minus_limb4_lower_sin * (0.0712 * limb4_lower_alpha_still_x)
-        minus_limb4_upper_moment_y = 2.08953 * minus_limb4_U_0_cos
+        t610 = minus_limb4_lower_sin * (k10 * limb4_lower_alpha_still_x)
+        minus_limb4_upper_moment_y = gravity_z_limb_lower_mx * minus_limb4_U_0_cos
         minus_limb4_lower_omega_x = limb4_U_v_0 * minus_limb4_lower_sin
         limb4_lower_alpha_still_y = limb4_U_v_1 * minus_limb4_lower_omega_x
-        t611 = 2.3439 * limb4_lower_alpha_still_y
+        t611 = k9 * limb4_lower_alpha_still_y
         limb4_lower_alpha_y = limb4_lower_alpha_still_y - limb4_lower_cos * minus_limb4_U_joint_acc_0
-        limb4_lower_rate_my = minus_limb4_upper_moment_y + (t611 + 2.2727 * limb4_lower_alpha_y)
+        limb4_lower_rate_my = minus_limb4_upper_moment_y + (t611 + k8 * limb4_lower_alpha_y)
         minus_limb4_lower_U_zx = limb4_lower_alpha_still_y + limb4_lower_alpha_y
-        minus_limb4_lower_rate_fz = 0.213 * minus_limb4_lower_U_zx
+        minus_limb4_lower_rate_fz = limb_lower_mx * minus_limb4_lower_U_zx
         t615 = limb4_P_v * (2.0 * limb4_lower_omega_y)
-        minus_limb4_upper_acc_z = t615 + (9.81 * minus_limb4_U_0_cos + limb4_upper_offset_x * minus_limb4_lower_U_zx)
-        limb4_upper_rate_fz = minus_limb4_lower_rate_fz - 1.42 * minus_limb4_upper_acc_z
+        minus_limb4_upper_acc_z = (
+            t615 + (gravity_z * minus_limb4_U_0_cos + limb4_upper_offset_x * minus_limb4_lower_U_zx)
+        )
+        limb4_upper_rate_fz = minus_limb4_lower_rate_fz - limb_lower_m * minus_limb4_upper_acc_z
         t618 = limb4_upper_offset_x * limb4_upper_rate_fz
-        minus_limb4_upper_rate_my = 0.213 * minus_limb4_upper_acc_z
-        minus_limb4_U_0_moment_z = minus_limb4_U_0_rate_mz + (t610 - limb4_lower_cos * (limb4_lower_rate_my - (t618 + minus_limb4_upper_rate_my)))
+        minus_limb4_upper_rate_my = limb_lower_mx * minus_limb4_upper_acc_z
+        minus_limb4_U_0_moment_z = (
+            minus_limb4_U_0_rate_mz + (t610 - limb4_lower_cos * (limb4_lower_rate_my - (t618 +
+            minus_limb4_upper_rate_my)))
+        )
         limb4_S_multiplier_fz = t11 * minus_limb4_U_0_moment_z
         t622 = minus_limb4_lower_sin * (limb4_S_arm_x * limb4_S_multiplier_fz)
         t626 = limb4_U_0_sin * (t622 - limb4_lower_cos * (limb4_S_arm_y * limb4_S_multiplier_fz))
         minus_limb4_lower_U_still_xx = limb4_lower_omega_y * limb4_lower_omega_y + t298
-        minus_limb4_lower_rate_fx = 0.213 * minus_limb4_lower_U_still_xx
-        minus_limb4_upper_acc_x = limb4_upper_offset_x * minus_limb4_lower_U_still_xx + minus_limb4_lower_acc_x - limb4_P_joint_acc
-        limb4_upper_rate_fx = minus_limb4_lower_rate_fx - 1.42 * minus_limb4_upper_acc_x
+        minus_limb4_lower_rate_fx = limb_lower_mx * minus_limb4_lower_U_still_xx
+        minus_limb4_upper_acc_x = (
+            limb4_upper_offset_x * minus_limb4_lower_U_still_xx + minus_limb4_lower_acc_x - limb4_P_joint_acc
+        )
+        limb4_upper_rate_fx = minus_limb4_lower_rate_fx - limb_lower_m * minus_limb4_upper_acc_x
         t628 = limb4_S_arm_y * limb4_upper_rate_fx
-        limb4_upper_moment_z = 0.213 * minus_limb4_lower_acc_y
+        limb4_upper_moment_z = limb_lower_mx * minus_limb4_lower_acc_y
         minus_limb4_lower_U_still_xy = minus_limb4_lower_omega_x * limb4_lower_omega_y
-        minus_limb4_lower_rate_mz = limb4_upper_moment_z + (2.2727 * minus_limb4_lower_U_still_xy + 2.3439 * minus_limb4_U_joint_acc_1)
+        minus_limb4_lower_rate_mz = (
+            limb4_upper_moment_z + (k8 * minus_limb4_lower_U_still_xy + k9 * minus_limb4_U_joint_acc_1)
+        )
         minus_limb4_lower_U_yx = minus_limb4_lower_U_still_xy + minus_limb4_U_joint_acc_1
-        minus_limb4_lower_rate_fy = 0.213 * minus_limb4_lower_U_yx
+        minus_limb4_lower_rate_fy = limb_lower_mx * minus_limb4_lower_U_yx
         t633 = limb4_P_v * (2.0 * limb4_U_v_1)
         limb4_upper_acc_y = t633 - (minus_limb4_lower_acc_y + limb4_upper_offset_x * minus_limb4_lower_U_yx)
-        limb4_upper_rate_fy = minus_limb4_lower_rate_fy + 1.42 * limb4_upper_acc_y
+        limb4_upper_rate_fy = minus_limb4_lower_rate_fy + limb_lower_m * limb4_upper_acc_y
         t636 = limb4_upper_offset_x * limb4_upper_rate_fy
-        minus_limb4_upper_rate_mz = 0.213 * limb4_upper_acc_y
+        minus_limb4_upper_rate_mz = limb_lower_mx * limb4_upper_acc_y
         minus_limb4_S_multiplier_fy = t22 * (minus_limb4_lower_rate_mz - (t636 - minus_limb4_upper_rate_mz))
         t641 = t626 + minus_limb4_U_0_cos * (t628 + limb4_S_arm_x * minus_limb4_S_multiplier_fy)
         # limb3: momentum rate, eq. (35); velocities, eq. (6); accelerations
-        limb3_U_0_rate_mz = 0.1112 * limb3_U_joint_acc_0
+        limb3_U_0_rate_mz = k3 * limb3_U_joint_acc_0
         limb3_lower_omega_y = limb3_U_v_0 * limb3_lower_cos
         limb3_lower_alpha_still_x = limb3_U_v_1 * limb3_lower_omega_y
-        t642 = minus_limb3_lower_sin * (0.0712 * limb3_lower_alpha_still_x)
-        limb3_upper_moment_y = 2.08953 * limb3_U_0_sin
+        t642 = minus_limb3_lower_sin * (k10 * limb3_lower_alpha_still_x)
+        limb3_upper_moment_y = gravity_z_limb_lower_mx * limb3_U_0_sin
         minus_limb3_lower_omega_x = limb3_U_v_0 * minus_limb3_lower_sin
         limb3_lower_alpha_still_y = limb3_U_v_1 * minus_limb3_lower_omega_x
-        t643 = 2.3439 * limb3_lower_alpha_still_y
+        t643 = k9 * limb3_lower_alpha_still_y
         limb3_lower_alpha_y = limb3_lower_alpha_still_y + limb3_lower_cos * limb3_U_joint_acc_0
-        minus_limb3_lower_rate_my = limb3_upper_moment_y - (t643 + 2.2727 * limb3_lower_alpha_y)
+        minus_limb3_lower_rate_my = limb3_upper_moment_y - (t643 + k8 * limb3_lower_alpha_y)
         minus_limb3_lower_U_zx = limb3_lower_alpha_still_y + limb3_lower_alpha_y
-        minus_limb3_lower_rate_fz = 0.213 * minus_limb3_lower_U_zx
+        minus_limb3_lower_rate_fz = limb_lower_mx * minus_limb3_lower_U_zx
         t647 = limb3_P_v * (2.0 * limb3_lower_omega_y)
-        minus_limb3_upper_acc_z = t647 - (9.81 * limb3_U_0_sin - limb3_upper_offset_x * minus_limb3_lower_U_zx)
-        limb3_upper_rate_fz = minus_limb3_lower_rate_fz - 1.42 * minus_limb3_upper_acc_z
+        minus_limb3_upper_acc_z = t647 - (gravity_z * limb3_U_0_sin - limb3_upper_offset_x * minus_limb3_lower_U_zx)
+        limb3_upper_rate_fz = minus_limb3_lower_rate_fz - limb_lower_m * minus_limb3_upper_acc_z
         # limb3: balance, eqs. (40)-(47); momentum rate, eq. (35); accelerations
         t650 = limb3_upper_offset_x * limb3_upper_rate_fz
-        minus_limb3_upper_rate_my = 0.213 * minus_limb3_upper_acc_z
-        limb3_U_0_moment_z = limb3_U_0_rate_mz - (t642 + limb3_lower_cos * (minus_limb3_lower_rate_my + (t650 + minus_limb3_upper_rate_my)))
+        minus_limb3_upper_rate_my = limb_lower_mx * minus_limb3_upper_acc_z
+        limb3_U_0_moment_z = (
+            limb3_U_0_rate_mz - (t642 + limb3_lower_cos * (minus_limb3_lower_rate_my + (t650 +
+            minus_limb3_upper_rate_my)))
+        )
         minus_limb3_S_multiplier_fz = t47 * limb3_U_0_moment_z
         t654 = minus_limb3_lower_sin * (limb3_S_arm_x * minus_limb3_S_multiplier_fz)
         t658 = limb3_U_0_cos * (t654 - limb3_lower_cos * (limb3_S_arm_y * minus_limb3_S_multiplier_fz))
         minus_limb3_lower_U_still_xx = limb3_lower_omega_y * limb3_lower_omega_y + t435
-        minus_limb3_lower_rate_fx = 0.213 * minus_limb3_lower_U_still_xx
-        minus_limb3_lower_force_x = 1.42 * (limb3_upper_offset_x * minus_limb3_lower_U_still_xx - limb3_lower_acc_x - limb3_P_joint_acc)
+        minus_limb3_lower_rate_fx = limb_lower_mx * minus_limb3_lower_U_still_xx
+        minus_limb3_lower_force_x = (
+            limb_lower_m * (limb3_upper_offset_x * minus_limb3_lower_U_still_xx - limb3_lower_acc_x -
+            limb3_P_joint_acc)
+        )
         limb3_upper_rate_fx = minus_limb3_lower_rate_fx - minus_limb3_lower_force_x
         t660 = limb3_S_arm_y * limb3_upper_rate_fx
-        minus_limb3_upper_moment_z = 0.213 * limb3_lower_acc_y
+        minus_limb3_upper_moment_z = limb_lower_mx * limb3_lower_acc_y
         minus_limb3_lower_U_still_xy = minus_limb3_lower_omega_x * limb3_lower_omega_y
-        limb3_lower_rate_mz = minus_limb3_upper_moment_z - (2.2727 * minus_limb3_lower_U_still_xy + 2.3439 * minus_limb3_U_joint_acc_1)
+        limb3_lower_rate_mz = (
+            minus_limb3_upper_moment_z - (k8 * minus_limb3_lower_U_still_xy + k9 * minus_limb3_U_joint_acc_1)
+        )
         minus_limb3_lower_U_yx = minus_limb3_lower_U_still_xy + minus_limb3_U_joint_acc_1
-        minus_limb3_lower_rate_fy = 0.213 * minus_limb3_lower_U_yx
+        minus_limb3_lower_rate_fy = limb_lower_mx * minus_limb3_lower_U_yx
         t665 = limb3_P_v * (2.0 * limb3_U_v_1)
         limb3_upper_acc_y = t665 + (limb3_lower_acc_y - limb3_upper_offset_x * minus_limb3_lower_U_yx)
-        limb3_upper_rate_fy = minus_limb3_lower_rate_fy + 1.42 * limb3_upper_acc_y
+        limb3_upper_rate_fy = minus_limb3_lower_rate_fy + limb_lower_m * limb3_upper_acc_y
         t668 = limb3_upper_offset_x * limb3_upper_rate_fy
-        minus_limb3_upper_rate_mz = 0.213 * limb3_upper_acc_y
+        minus_limb3_upper_rate_mz = limb_lower_mx * limb3_upper_acc_y
         limb3_S_multiplier_fy = t389 * (limb3_lower_rate_mz + (t668 - minus_limb3_upper_rate_mz))
         t673 = t658 - limb3_U_0_sin * (t660 - limb3_S_arm_x * limb3_S_multiplier_fy)
         # limb2: momentum rate, eq. (35); accelerations; balance, eqs. (40)-(47)
-        minus_limb2_U_0_rate_mz = 0.1112 * minus_limb2_U_joint_acc_0
+        minus_limb2_U_0_rate_mz = k3 * minus_limb2_U_joint_acc_0
         limb2_lower_omega_y = limb2_U_v_0 * limb2_lower_cos
         limb2_lower_alpha_still_x = limb2_U_v_1 * limb2_lower_omega_y
-        t674 = limb2_lower_sin * (0.0712 * limb2_lower_alpha_still_x)
-        minus_limb2_upper_moment_y = 2.08953 * minus_limb2_U_0_cos
+        t674 = limb2_lower_sin * (k10 * limb2_lower_alpha_still_x)
+        minus_limb2_upper_moment_y = gravity_z_limb_lower_mx * minus_limb2_U_0_cos
         limb2_lower_omega_x = limb2_U_v_0 * limb2_lower_sin
         minus_limb2_lower_alpha_still_y = limb2_U_v_1 * limb2_lower_omega_x
-        t675 = 2.3439 * minus_limb2_lower_alpha_still_y
+        t675 = k9 * minus_limb2_lower_alpha_still_y
         minus_limb2_lower_alpha_y = minus_limb2_lower_alpha_still_y + limb2_lower_cos * minus_limb2_U_joint_acc_0
-        limb2_lower_rate_my = minus_limb2_upper_moment_y - (t675 + 2.2727 * minus_limb2_lower_alpha_y)
+        limb2_lower_rate_my = minus_limb2_upper_moment_y - (t675 + k8 * minus_limb2_lower_alpha_y)
         limb2_lower_U_zx = minus_limb2_lower_alpha_still_y + minus_limb2_lower_alpha_y
-        limb2_lower_rate_fz = 0.213 * limb2_lower_U_zx
+        limb2_lower_rate_fz = limb_lower_mx * limb2_lower_U_zx
         t679 = limb2_P_v * (2.0 * limb2_lower_omega_y)
-        minus_limb2_upper_acc_z = t679 + (9.81 * minus_limb2_U_0_cos - limb2_upper_offset_x * limb2_lower_U_zx)
-        minus_limb2_upper_rate_fz = limb2_lower_rate_fz + 1.42 * minus_limb2_upper_acc_z
+        minus_limb2_upper_acc_z = t679 + (gravity_z * minus_limb2_U_0_cos - limb2_upper_offset_x * limb2_lower_U_zx)
+        minus_limb2_upper_rate_fz = limb2_lower_rate_fz + limb_lower_m * minus_limb2_upper_acc_z
         t682 = limb2_upper_offset_x * minus_limb2_upper_rate_fz
-        minus_limb2_upper_rate_my = 0.213 * minus_limb2_upper_acc_z
-        minus_limb2_U_0_moment_z = minus_limb2_U_0_rate_mz - (t674 + limb2_lower_cos * (limb2_lower_rate_my + (t682 - minus_limb2_upper_rate_my)))
+        minus_limb2_upper_rate_my = limb_lower_mx * minus_limb2_upper_acc_z
+        minus_limb2_U_0_moment_z = (
+            minus_limb2_U_0_rate_mz - (t674 + limb2_lower_cos * (limb2_lower_rate_my + (t682 -
+            minus_limb2_upper_rate_my)))
+        )
         limb2_S_multiplier_fz = t57 * minus_limb2_U_0_moment_z
         t686 = limb2_lower_sin * (limb2_S_arm_x * limb2_S_multiplier_fz)
         t690 = limb2_U_0_sin * (t686 - limb2_lower_cos * (minus_limb2_S_arm_y * limb2_S_multiplier_fz))
         minus_limb2_lower_U_still_xx = limb2_lower_omega_y * limb2_lower_omega_y + t333
-        minus_limb2_lower_rate_fx = 0.213 * minus_limb2_lower_U_still_xx
-        minus_limb2_upper_acc_x = limb2_upper_offset_x * minus_limb2_lower_U_still_xx + minus_limb2_lower_acc_x + minus_limb2_P_joint_acc
-        limb2_upper_rate_fx = minus_limb2_lower_rate_fx - 1.42 * minus_limb2_upper_acc_x
+        minus_limb2_lower_rate_fx = limb_lower_mx * minus_limb2_lower_U_still_xx
+        minus_limb2_upper_acc_x = (
+            limb2_upper_offset_x * minus_limb2_lower_U_still_xx + minus_limb2_lower_acc_x + minus_limb2_P_joint_acc
+        )
+        limb2_upper_rate_fx = minus_limb2_lower_rate_fx - limb_lower_m * minus_limb2_upper_acc_x
         t692 = minus_limb2_S_arm_y * limb2_upper_rate_fx
-        minus_limb2_upper_moment_z = 0.213 * limb2_lower_acc_y
+        minus_limb2_upper_moment_z = limb_lower_mx * limb2_lower_acc_y
         limb2_lower_U_still_xy = limb2_lower_omega_x * limb2_lower_omega_y
-        limb2_lower_rate_mz = minus_limb2_upper_moment_z + (2.2727 * limb2_lower_U_still_xy - 2.3439 * minus_limb2_U_joint_acc_1)
+        limb2_lower_rate_mz = (
+            minus_limb2_upper_moment_z + (k8 * limb2_lower_U_still_xy - k9 * minus_limb2_U_joint_acc_1)
+        )
         limb2_lower_U_yx = limb2_lower_U_still_xy - minus_limb2_U_joint_acc_1
-        limb2_lower_rate_fy = 0.213 * limb2_lower_U_yx
-        limb2_upper_acc_y = limb2_P_v * (2.0 * limb2_U_v_1) + (limb2_lower_acc_y + limb2_upper_offset_x * limb2_lower_U_yx)
-        minus_limb2_upper_rate_fy = limb2_lower_rate_fy - 1.42 * limb2_upper_acc_y
+        limb2_lower_rate_fy = limb_lower_mx * limb2_lower_U_yx
+        limb2_upper_acc_y = (
+            limb2_P_v * (2.0 * limb2_U_v_1) + (limb2_lower_acc_y + limb2_upper_offset_x * limb2_lower_U_yx)
+        )
+        minus_limb2_upper_rate_fy = limb2_lower_rate_fy - limb_lower_m * limb2_upper_acc_y
         t700 = limb2_upper_offset_x * minus_limb2_upper_rate_fy
-        minus_limb2_upper_rate_mz = 0.213 * limb2_upper_acc_y
+        minus_limb2_upper_rate_mz = limb_lower_mx * limb2_upper_acc_y
         limb2_S_multiplier_fy = t68 * (limb2_lower_rate_mz - (t700 + minus_limb2_upper_rate_mz))
         t705 = t690 + minus_limb2_U_0_cos * (t692 + limb2_S_arm_x * limb2_S_multiplier_fy)
         # limb1: momentum rate, eq. (35); balance, eqs. (40)-(47); accelerations
-        limb1_U_0_rate_mz = 0.1112 * limb1_U_joint_acc_0
-        t706 = limb1_lower_sin * (0.0712 * limb1_lower_alpha_still_x)
-        limb1_upper_moment_y = 2.08953 * limb1_U_0_sin
+        limb1_U_0_rate_mz = k3 * limb1_U_joint_acc_0
+        t706 = limb1_lower_sin * (k10 * limb1_lower_alpha_still_x)
+        limb1_upper_moment_y = gravity_z_limb_lower_mx * limb1_U_0_sin
         minus_limb1_lower_alpha_still_y = limb1_U_v_1 * limb1_lower_omega_x
-        t707 = 2.3439 * minus_limb1_lower_alpha_still_y
+        t707 = k9 * minus_limb1_lower_alpha_still_y
         minus_limb1_lower_alpha_y = minus_limb1_lower_alpha_still_y - limb1_lower_cos * limb1_U_joint_acc_0
-        minus_limb1_lower_rate_my = limb1_upper_moment_y + (t707 + 2.2727 * minus_limb1_lower_alpha_y)
+        minus_limb1_lower_rate_my = limb1_upper_moment_y + (t707 + k8 * minus_limb1_lower_alpha_y)
         limb1_lower_U_zx = minus_limb1_lower_alpha_still_y + minus_limb1_lower_alpha_y
-        limb1_lower_rate_fz = 0.213 * limb1_lower_U_zx
+        limb1_lower_rate_fz = limb_lower_mx * limb1_lower_U_zx
         t711 = limb1_P_v * (2.0 * limb1_lower_omega_y)
-        minus_limb1_upper_acc_z = t711 - (9.81 * limb1_U_0_sin + limb1_upper_offset_x * limb1_lower_U_zx)
-        minus_limb1_upper_rate_fz = limb1_lower_rate_fz + 1.42 * minus_limb1_upper_acc_z
+        minus_limb1_upper_acc_z = t711 - (gravity_z * limb1_U_0_sin + limb1_upper_offset_x * limb1_lower_U_zx)
+        minus_limb1_upper_rate_fz = limb1_lower_rate_fz + limb_lower_m * minus_limb1_upper_acc_z
         t714 = limb1_upper_offset_x * minus_limb1_upper_rate_fz
-        minus_limb1_upper_rate_my = 0.213 * minus_limb1_upper_acc_z
-        limb1_U_0_moment_z = limb1_U_0_rate_mz + (t706 - limb1_lower_cos * (minus_limb1_lower_rate_my - (t714 - minus_limb1_upper_rate_my)))
+        minus_limb1_upper_rate_my = limb_lower_mx * minus_limb1_upper_acc_z
+        limb1_U_0_moment_z = (
+            limb1_U_0_rate_mz + (t706 - limb1_lower_cos * (minus_limb1_lower_rate_my - (t714 -
+            minus_limb1_upper_rate_my)))
+        )
         minus_limb1_U2_part_fz = t2 * limb1_U_0_moment_z
         t718 = limb1_lower_sin * (limb1_U2_arm_x * minus_limb1_U2_part_fz)
         t722 = limb1_U_0_cos * (t718 - limb1_lower_cos * (minus_limb1_U2_arm_y * minus_limb1_U2_part_fz))
-        minus_limb1_upper_acc_x = limb1_upper_offset_x * minus_limb1_lower_U_still_xx - limb1_lower_acc_x + minus_limb1_P_joint_acc
-        limb1_upper_rate_fx = minus_limb1_lower_rate_fx - 1.42 * minus_limb1_upper_acc_x
+        minus_limb1_upper_acc_x = (
+            limb1_upper_offset_x * minus_limb1_lower_U_still_xx - limb1_lower_acc_x + minus_limb1_P_joint_acc
+        )
+        limb1_upper_rate_fx = minus_limb1_lower_rate_fx - limb_lower_m * minus_limb1_upper_acc_x
         # limb1: balance, eqs. (40)-(47); momentum rate, eq. (35); reactions, eq. (32)
-        t726 = limb1_U_0_sin * (minus_limb1_U2_arm_y * limb1_upper_rate_fx - limb1_U2_arm_x * minus_limb1_U2_part_fy)
+        t726 = (
+            limb1_U_0_sin * (minus_limb1_U2_arm_y * limb1_upper_rate_fx - limb1_U2_arm_x * minus_limb1_U2_part_fy)
+        )
         t727 = t722 - t726
-        t728 = platform_turn_zz * (92.1 * minus_platform_alpha_z)  # platform
-        t731 = platform_turn_zy * (platform_moment_y - (t328 + 69.4749 * minus_platform_alpha_y))  # platform
-        t735 = t731 - platform_turn_zx * (minus_platform_moment_x - (t326 - 69.4749 * minus_platform_alpha_x))  # platform
-        minus_limb1_U2_part_mn = t600 * (t641 + (t673 - (t705 + (t727 + (t728 - t735)))))
+        t728 = platform_turn_zz * (platform_Izz * minus_platform_alpha_z)  # platform
+        t731 = platform_turn_zy * (platform_moment_y - (t328 + k13 * minus_platform_alpha_y))  # platform
+        t736 = (
+            t728 - (t731 - platform_turn_zx * (minus_platform_moment_x - (t326 - k13 * minus_platform_alpha_x)))
+        )  # platform
+        minus_limb1_U2_part_mn = t600 * (t641 + (t673 - (t705 + (t727 + t736))))
         t743 = t602 + (t603 - (t604 + (minus_limb1_U2_part_fy - limb1_U_factor_1_by_3 * minus_limb1_U2_part_mn)))
         minus_limb1_U2_multiplier_fy = t601 - t743
         minus_limb1_upper_sent_fy = minus_limb1_upper_rate_fy - minus_limb1_U2_multiplier_fy
         minus_limb1_lower_sent_fy = minus_limb1_upper_sent_fy + (minus_limb1_upper_force_y - limb1_lower_rate_fy)
         minus_limb1_lower_joint_sent_fy = t588 + limb1_lower_cos * minus_limb1_lower_sent_fy
         limb1_lower_joint_sent_fy = -minus_limb1_lower_joint_sent_fy
-        minus_limb1_lower_joint_sent_fx = limb1_lower_cos * minus_limb1_lower_sent_fx - limb1_lower_sin * minus_limb1_lower_sent_fy
+        minus_limb1_lower_joint_sent_fx = (
+            limb1_lower_cos * minus_limb1_lower_sent_fx - limb1_lower_sin * minus_limb1_lower_sent_fy
+        )
         t747 = limb1_U_0_sin * minus_limb1_lower_joint_sent_fx
         t748 = limb4_P_u * (minus_limb1_U_factor_0_by_3 * limb1_U2_part_mn_by_limb4_P)
         t749 = limb3_P_u * (minus_limb1_U_factor_0_by_3 * minus_limb1_U2_part_mn_by_limb3_P)
@@ -9717,30 +10875,39 @@ def _forward_dynamics_reactions_first(*arguments):
         minus_limb1_upper_sent_fz = minus_limb1_upper_rate_fz + limb1_U2_multiplier_fz
         minus_limb1_lower_sent_fz = minus_limb1_upper_sent_fz - (limb1_upper_force_z + limb1_lower_rate_fz)
         limb1_U_0_joint_sent_fx = t747 - limb1_U_0_cos * minus_limb1_lower_sent_fz
-        minus_limb1_U_0_joint_sent_fy = limb1_U_0_cos * minus_limb1_lower_joint_sent_fx + limb1_U_0_sin * minus_limb1_lower_sent_fz
+        minus_limb1_U_0_joint_sent_fy = (
+            limb1_U_0_cos * minus_limb1_lower_joint_sent_fx + limb1_U_0_sin * minus_limb1_lower_sent_fz
+        )
         limb1_U_0_joint_sent_fy = -minus_limb1_U_0_joint_sent_fy
-        t761 = 1.11635 * minus_limb1_lower_alpha_still_y + 1.19195 * minus_limb1_lower_alpha_y
+        t761 = k17 * minus_limb1_lower_alpha_still_y + k16 * minus_limb1_lower_alpha_y
         minus_limb1_lower_rate_my_2 = limb1_upper_moment_y + t761
         minus_limb1_upper_rate_my_2 = minus_limb1_upper_rate_my + t761
-        minus_limb1_lower_sent_my = minus_limb1_lower_rate_my_2 + (minus_limb1_upper_rate_my_2 - limb1_upper_offset_x * minus_limb1_upper_sent_fz)
+        minus_limb1_lower_sent_my = (
+            minus_limb1_lower_rate_my_2 + (minus_limb1_upper_rate_my_2 - limb1_upper_offset_x *
+            minus_limb1_upper_sent_fz)
+        )
         t764 = limb1_lower_cos * minus_limb1_lower_sent_my
-        t765 = 0.02 * limb1_lower_alpha_still_x
-        minus_limb1_upper_rate_mx = t765 - 0.0556 * (limb1_lower_alpha_still_x + limb1_lower_sin * limb1_U_joint_acc_0)
+        t765 = k15 * limb1_lower_alpha_still_x
+        minus_limb1_upper_rate_mx = t765 - k14 * (limb1_lower_alpha_still_x + limb1_lower_sin * limb1_U_joint_acc_0)
         t767 = limb4_P_u * limb1_U2_part_mn_by_limb4_P
         t768 = limb3_P_u * minus_limb1_U2_part_mn_by_limb3_P
         t769 = limb2_P_u * minus_limb1_U2_part_mn_by_limb2_P
-        limb1_U2_multiplier_mn = t767 - (t768 + (t769 - (limb1_P_u * limb1_U2_part_mn_by_limb1_P - minus_limb1_U2_part_mn)))
+        limb1_U2_multiplier_mn = (
+            t767 - (t768 + (t769 - (limb1_P_u * limb1_U2_part_mn_by_limb1_P - minus_limb1_U2_part_mn)))
+        )
         minus_limb1_U2_joint_reaction_mx = limb1_U2_constraint_mn_couple_x * limb1_U2_multiplier_mn
         minus_limb1_upper_sent_mx = minus_limb1_U2_joint_reaction_mx + minus_limb1_upper_rate_mx
         minus_limb1_lower_sent_mx = minus_limb1_upper_rate_mx + minus_limb1_upper_sent_mx
         minus_limb1_lower_joint_sent_my = t764 + limb1_lower_sin * minus_limb1_lower_sent_mx
         limb1_lower_joint_sent_my = -minus_limb1_lower_joint_sent_my
         # limb1: reactions, eq. (32); balance, eqs. (40)-(47); geometry
-        t775 = 0.8 * minus_limb1_U_0_joint_sent_fy
-        limb1_lower_joint_sent_mx = limb1_lower_sin * minus_limb1_lower_sent_my - limb1_lower_cos * minus_limb1_lower_sent_mx
+        t775 = param_R * minus_limb1_U_0_joint_sent_fy
+        limb1_lower_joint_sent_mx = (
+            limb1_lower_sin * minus_limb1_lower_sent_my - limb1_lower_cos * minus_limb1_lower_sent_mx
+        )
         minus_limb1_U_reaction_my = t775 + limb1_U_0_sin * limb1_lower_joint_sent_mx
         limb1_U_reaction_my = -minus_limb1_U_reaction_my
-        limb1_U_reaction_mz = limb1_U_0_cos * limb1_lower_joint_sent_mx - 0.8 * limb1_U_0_joint_sent_fx
+        limb1_U_reaction_mz = limb1_U_0_cos * limb1_lower_joint_sent_mx - param_R * limb1_U_0_joint_sent_fx
         minus_limb1_P_reaction_fx = limb1_lower_cos * minus_limb1_upper_sent_fy
         limb1_P_reaction_fx = -minus_limb1_P_reaction_fx
         t781 = limb1_U_0_cos * minus_limb1_upper_sent_fz
@@ -9757,15 +10924,21 @@ def _forward_dynamics_reactions_first(*arguments):
         minus_limb1_lower_rotation_yx = limb1_U_0_sin * limb1_lower_cos
         minus_limb1_upper_position_y = limb1_upper_offset_x * minus_limb1_lower_rotation_yx
         t787 = t785 + minus_limb1_upper_position_y * minus_limb1_P_reaction_fz
-        limb1_P_reaction_mx = t787 - (limb1_lower_cos * minus_limb1_upper_rate_my_2 + limb1_lower_sin * minus_limb1_upper_sent_mx)
+        limb1_P_reaction_mx = (
+            t787 - (limb1_lower_cos * minus_limb1_upper_rate_my_2 + limb1_lower_sin * minus_limb1_upper_sent_mx)
+        )
         t791 = minus_limb1_upper_position_x * minus_limb1_P_reaction_fz
         t793 = t791 + limb1_upper_position_z * minus_limb1_P_reaction_fx
         minus_limb1_U2_joint_reaction_mz = limb1_U2_constraint_mn_couple_z * limb1_U2_multiplier_mn
-        minus_limb1_upper_rate_mz_2 = minus_limb1_upper_rate_mz - (1.13635 * limb1_lower_U_still_xy - 1.17195 * minus_limb1_U_joint_acc_1)
-        minus_limb1_upper_sent_mz = minus_limb1_U2_joint_reaction_mz + minus_limb1_upper_rate_mz_2
+        minus_limb1_upper_sent_mz = (
+            minus_limb1_U2_joint_reaction_mz + (minus_limb1_upper_rate_mz - (k19 * limb1_lower_U_still_xy - k18 *
+            minus_limb1_U_joint_acc_1))
+        )
         t797 = limb1_U_0_cos * minus_limb1_upper_sent_mz
         t798 = limb1_lower_rotation_yy * minus_limb1_upper_rate_my_2
-        minus_limb1_P_reaction_my = t793 + (t797 + (t798 - minus_limb1_lower_rotation_yx * minus_limb1_upper_sent_mx))
+        minus_limb1_P_reaction_my = (
+            t793 + (t797 + (t798 - minus_limb1_lower_rotation_yx * minus_limb1_upper_sent_mx))
+        )
         limb1_P_reaction_my = -minus_limb1_P_reaction_my
         t802 = minus_limb1_upper_position_y * minus_limb1_P_reaction_fx
         t804 = t802 - minus_limb1_upper_position_x * minus_limb1_P_reaction_fy
@@ -9790,7 +10963,9 @@ def _forward_dynamics_reactions_first(*arguments):
         t824 = minus_limb1_upper_position_x * minus_limb1_U2_reaction_fz
         t826 = t824 - limb1_upper_position_z * limb1_U2_reaction_fx
         t827 = limb1_U_0_cos * minus_limb1_U2_joint_reaction_mz
-        minus_limb1_U2_reaction_my = t826 + (t827 - minus_limb1_lower_rotation_yx * minus_limb1_U2_joint_reaction_mx)
+        minus_limb1_U2_reaction_my = (
+            t826 + (t827 - minus_limb1_lower_rotation_yx * minus_limb1_U2_joint_reaction_mx)
+        )
         limb1_U2_reaction_my = -minus_limb1_U2_reaction_my
         t830 = minus_limb1_upper_position_y * limb1_U2_reaction_fx
         t832 = t830 + minus_limb1_upper_position_x * minus_limb1_U2_reaction_fy
@@ -9806,23 +10981,33 @@ def _forward_dynamics_reactions_first(*arguments):
         minus_limb2_upper_sent_fz = minus_limb2_upper_rate_fz + limb2_S_multiplier_fz
         minus_limb2_lower_sent_fz = minus_limb2_upper_sent_fz + (minus_limb2_upper_force_z - limb2_lower_rate_fz)
         limb2_U_0_joint_sent_fy = t838 - limb2_U_0_sin * minus_limb2_lower_sent_fz
-        minus_limb2_lower_joint_sent_fy = limb2_lower_sin * minus_limb2_lower_sent_fx + limb2_lower_cos * minus_limb2_lower_sent_fy
+        minus_limb2_lower_joint_sent_fy = (
+            limb2_lower_sin * minus_limb2_lower_sent_fx + limb2_lower_cos * minus_limb2_lower_sent_fy
+        )
         limb2_lower_joint_sent_fy = -minus_limb2_lower_joint_sent_fy
         t842 = limb2_U_0_sin * minus_limb2_lower_joint_sent_fx
         limb2_U_0_joint_sent_fx = t842 + minus_limb2_U_0_cos * minus_limb2_lower_sent_fz
-        t846 = 1.11635 * minus_limb2_lower_alpha_still_y + 1.19195 * minus_limb2_lower_alpha_y
+        t846 = k17 * minus_limb2_lower_alpha_still_y + k16 * minus_limb2_lower_alpha_y
         limb2_lower_rate_my_2 = minus_limb2_upper_moment_y - t846
         minus_limb2_upper_rate_my_2 = minus_limb2_upper_rate_my + t846
-        limb2_lower_sent_my = limb2_lower_rate_my_2 - (minus_limb2_upper_rate_my_2 - limb2_upper_offset_x * minus_limb2_upper_sent_fz)
+        limb2_lower_sent_my = (
+            limb2_lower_rate_my_2 - (minus_limb2_upper_rate_my_2 - limb2_upper_offset_x * minus_limb2_upper_sent_fz)
+        )
         t849 = limb2_lower_sin * limb2_lower_sent_my
-        t850 = 0.02 * limb2_lower_alpha_still_x
-        minus_limb2_upper_rate_mx = t850 - 0.0556 * (limb2_lower_alpha_still_x - limb2_lower_sin * minus_limb2_U_joint_acc_0)
+        t850 = k15 * limb2_lower_alpha_still_x
+        minus_limb2_upper_rate_mx = (
+            t850 - k14 * (limb2_lower_alpha_still_x - limb2_lower_sin * minus_limb2_U_joint_acc_0)
+        )
         minus_limb2_lower_sent_mx = 2.0 * minus_limb2_upper_rate_mx
         minus_limb2_lower_joint_sent_mx = t849 + limb2_lower_cos * minus_limb2_lower_sent_mx
         # limb2: reactions, eq. (32); balance, eqs. (40)-(47); geometry
-        limb2_U_reaction_mx = minus_limb2_U_0_cos * minus_limb2_lower_joint_sent_mx - 0.8 * limb2_U_0_joint_sent_fx
-        limb2_lower_joint_sent_my = limb2_lower_cos * limb2_lower_sent_my - limb2_lower_sin * minus_limb2_lower_sent_mx
-        limb2_U_reaction_mz = 0.8 * limb2_U_0_joint_sent_fy + limb2_U_0_sin * minus_limb2_lower_joint_sent_mx
+        limb2_U_reaction_mx = (
+            minus_limb2_U_0_cos * minus_limb2_lower_joint_sent_mx - param_R * limb2_U_0_joint_sent_fx
+        )
+        limb2_lower_joint_sent_my = (
+            limb2_lower_cos * limb2_lower_sent_my - limb2_lower_sin * minus_limb2_lower_sent_mx
+        )
+        limb2_U_reaction_mz = param_R * limb2_U_0_joint_sent_fy + limb2_U_0_sin * minus_limb2_lower_joint_sent_mx
         t859 = limb2_U_0_sin * minus_limb2_upper_sent_fz
         limb2_lower_rotation_xy = minus_limb2_U_0_cos * limb2_lower_sin
         minus_limb2_P_reaction_fx = t859 + limb2_lower_rotation_xy * minus_limb2_upper_sent_fy
@@ -9836,16 +11021,22 @@ def _forward_dynamics_reactions_first(*arguments):
         minus_limb2_upper_position_z = limb2_upper_offset_x * minus_limb2_lower_rotation_zx
         t863 = minus_limb2_upper_position_z * minus_limb2_P_reaction_fy
         t865 = t863 + minus_limb2_upper_position_y * limb2_P_reaction_fz
-        minus_limb2_upper_rate_mz_2 = minus_limb2_upper_rate_mz - (1.13635 * limb2_lower_U_still_xy - 1.17195 * minus_limb2_U_joint_acc_1)
+        minus_limb2_upper_rate_mz_2 = (
+            minus_limb2_upper_rate_mz - (k19 * limb2_lower_U_still_xy - k18 * minus_limb2_U_joint_acc_1)
+        )
         t869 = limb2_U_0_sin * minus_limb2_upper_rate_mz_2
         t870 = limb2_lower_rotation_xy * minus_limb2_upper_rate_my_2
         minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos
-        minus_limb2_P_reaction_mx = t865 + (t869 + (t870 - minus_limb2_lower_rotation_xx * minus_limb2_upper_rate_mx))
+        minus_limb2_P_reaction_mx = (
+            t865 + (t869 + (t870 - minus_limb2_lower_rotation_xx * minus_limb2_upper_rate_mx))
+        )
         limb2_P_reaction_mx = -minus_limb2_P_reaction_mx
         minus_limb2_upper_position_x = limb2_upper_offset_x * minus_limb2_lower_rotation_xx
         t874 = minus_limb2_upper_position_x * limb2_P_reaction_fz
         t876 = t874 + minus_limb2_upper_position_z * minus_limb2_P_reaction_fx
-        limb2_P_reaction_my = t876 - (limb2_lower_cos * minus_limb2_upper_rate_my_2 + limb2_lower_sin * minus_limb2_upper_rate_mx)
+        limb2_P_reaction_my = (
+            t876 - (limb2_lower_cos * minus_limb2_upper_rate_my_2 + limb2_lower_sin * minus_limb2_upper_rate_mx)
+        )
         t880 = minus_limb2_U_0_cos * minus_limb2_upper_rate_mz_2
         t881 = limb2_lower_rotation_zy * minus_limb2_upper_rate_my_2
         t884 = t880 - (t881 - minus_limb2_lower_rotation_zx * minus_limb2_upper_rate_mx)
@@ -9856,7 +11047,9 @@ def _forward_dynamics_reactions_first(*arguments):
         minus_limb2_S_multiplier_fx = limb2_P_u - limb2_upper_rate_fx
         minus_limb2_S_reaction_fx = t888 + (t889 + minus_limb2_lower_rotation_xx * minus_limb2_S_multiplier_fx)
         limb2_S_reaction_fx = -minus_limb2_S_reaction_fx
-        limb2_S_reaction_fy = limb2_lower_sin * minus_limb2_S_multiplier_fx - limb2_lower_cos * limb2_S_multiplier_fy
+        limb2_S_reaction_fy = (
+            limb2_lower_sin * minus_limb2_S_multiplier_fx - limb2_lower_cos * limb2_S_multiplier_fy
+        )
         t894 = minus_limb2_U_0_cos * limb2_S_multiplier_fz
         t895 = limb2_lower_rotation_zy * limb2_S_multiplier_fy
         limb2_S_reaction_fz = t894 - (t895 + minus_limb2_lower_rotation_zx * minus_limb2_S_multiplier_fx)
@@ -9873,27 +11066,37 @@ def _forward_dynamics_reactions_first(*arguments):
         limb3_upper_sent_fy = limb3_upper_rate_fy - limb3_S_multiplier_fy
         limb3_lower_sent_fy = limb3_upper_sent_fy + (limb3_upper_force_y - minus_limb3_lower_rate_fy)
         limb3_lower_joint_sent_fy = t904 + limb3_lower_cos * limb3_lower_sent_fy
-        minus_limb3_lower_joint_sent_fx = limb3_lower_cos * minus_limb3_lower_sent_fx - minus_limb3_lower_sin * limb3_lower_sent_fy
+        minus_limb3_lower_joint_sent_fx = (
+            limb3_lower_cos * minus_limb3_lower_sent_fx - minus_limb3_lower_sin * limb3_lower_sent_fy
+        )
         t908 = limb3_U_0_sin * minus_limb3_lower_joint_sent_fx
         limb3_upper_sent_fz = limb3_upper_rate_fz + minus_limb3_S_multiplier_fz
         limb3_lower_sent_fz = limb3_upper_sent_fz + (limb3_upper_force_z - minus_limb3_lower_rate_fz)
         limb3_U_0_joint_sent_fx = t908 + limb3_U_0_cos * limb3_lower_sent_fz
-        minus_limb3_U_0_joint_sent_fy = limb3_U_0_cos * minus_limb3_lower_joint_sent_fx - limb3_U_0_sin * limb3_lower_sent_fz
+        minus_limb3_U_0_joint_sent_fy = (
+            limb3_U_0_cos * minus_limb3_lower_joint_sent_fx - limb3_U_0_sin * limb3_lower_sent_fz
+        )
         limb3_U_0_joint_sent_fy = -minus_limb3_U_0_joint_sent_fy
-        t912 = 0.02 * limb3_lower_alpha_still_x
-        minus_limb3_upper_rate_mx = t912 - 0.0556 * (limb3_lower_alpha_still_x - minus_limb3_lower_sin * limb3_U_joint_acc_0)
+        t912 = k15 * limb3_lower_alpha_still_x
+        minus_limb3_upper_rate_mx = (
+            t912 - k14 * (limb3_lower_alpha_still_x - minus_limb3_lower_sin * limb3_U_joint_acc_0)
+        )
         minus_limb3_lower_sent_mx = 2.0 * minus_limb3_upper_rate_mx
         t914 = minus_limb3_lower_sin * minus_limb3_lower_sent_mx
-        t917 = 1.11635 * limb3_lower_alpha_still_y + 1.19195 * limb3_lower_alpha_y
+        t917 = k17 * limb3_lower_alpha_still_y + k16 * limb3_lower_alpha_y
         minus_limb3_lower_rate_my_2 = limb3_upper_moment_y - t917
         minus_limb3_upper_rate_my_2 = minus_limb3_upper_rate_my - t917
-        minus_limb3_lower_sent_my = minus_limb3_lower_rate_my_2 + (minus_limb3_upper_rate_my_2 + limb3_upper_offset_x * limb3_upper_sent_fz)
+        minus_limb3_lower_sent_my = (
+            minus_limb3_lower_rate_my_2 + (minus_limb3_upper_rate_my_2 + limb3_upper_offset_x * limb3_upper_sent_fz)
+        )
         limb3_lower_joint_sent_my = t914 - limb3_lower_cos * minus_limb3_lower_sent_my
         # limb3: reactions, eq. (32); balance, eqs. (40)-(47); geometry
-        t921 = 0.8 * minus_limb3_U_0_joint_sent_fy
-        minus_limb3_lower_joint_sent_mx = minus_limb3_lower_sin * minus_limb3_lower_sent_my + limb3_lower_cos * minus_limb3_lower_sent_mx
+        t921 = param_R * minus_limb3_U_0_joint_sent_fy
+        minus_limb3_lower_joint_sent_mx = (
+            minus_limb3_lower_sin * minus_limb3_lower_sent_my + limb3_lower_cos * minus_limb3_lower_sent_mx
+        )
         limb3_U_reaction_my = t921 + limb3_U_0_sin * minus_limb3_lower_joint_sent_mx
-        limb3_U_reaction_mz = 0.8 * limb3_U_0_joint_sent_fx - limb3_U_0_cos * minus_limb3_lower_joint_sent_mx
+        limb3_U_reaction_mz = param_R * limb3_U_0_joint_sent_fx - limb3_U_0_cos * minus_limb3_lower_joint_sent_mx
         limb3_P_reaction_fx = limb3_lower_cos * limb3_upper_sent_fy
         t927 = limb3_U_0_cos * limb3_upper_sent_fz
         minus_limb3_lower_rotation_yy = limb3_U_0_sin * minus_limb3_lower_sin
@@ -9911,10 +11114,14 @@ def _forward_dynamics_reactions_first(*arguments):
         minus_limb3_P_reaction_mx = t933 + (t934 - minus_limb3_lower_sin * minus_limb3_upper_rate_mx)
         limb3_P_reaction_mx = -minus_limb3_P_reaction_mx
         t939 = limb3_upper_position_x * limb3_P_reaction_fz - limb3_upper_position_z * limb3_P_reaction_fx
-        minus_limb3_upper_rate_mz_2 = minus_limb3_upper_rate_mz + (1.13635 * minus_limb3_lower_U_still_xy + 1.17195 * minus_limb3_U_joint_acc_1)
+        minus_limb3_upper_rate_mz_2 = (
+            minus_limb3_upper_rate_mz + (k19 * minus_limb3_lower_U_still_xy + k18 * minus_limb3_U_joint_acc_1)
+        )
         t943 = limb3_U_0_cos * minus_limb3_upper_rate_mz_2
         t944 = minus_limb3_lower_rotation_yy * minus_limb3_upper_rate_my_2
-        minus_limb3_P_reaction_my = t939 + (t943 - (t944 + minus_limb3_lower_rotation_yx * minus_limb3_upper_rate_mx))
+        minus_limb3_P_reaction_my = (
+            t939 + (t943 - (t944 + minus_limb3_lower_rotation_yx * minus_limb3_upper_rate_mx))
+        )
         limb3_P_reaction_my = -minus_limb3_P_reaction_my
         t948 = minus_limb3_upper_position_y * limb3_P_reaction_fx
         t950 = t948 + limb3_upper_position_x * limb3_P_reaction_fy
@@ -9922,7 +11129,9 @@ def _forward_dynamics_reactions_first(*arguments):
         t952 = limb3_lower_rotation_zy * minus_limb3_upper_rate_my_2
         limb3_P_reaction_mz = t950 - (t951 + (t952 + limb3_lower_rotation_zx * minus_limb3_upper_rate_mx))
         minus_limb3_S_multiplier_fx = limb3_P_u - limb3_upper_rate_fx
-        minus_limb3_S_reaction_fx = minus_limb3_lower_sin * minus_limb3_S_multiplier_fx + limb3_lower_cos * limb3_S_multiplier_fy
+        minus_limb3_S_reaction_fx = (
+            minus_limb3_lower_sin * minus_limb3_S_multiplier_fx + limb3_lower_cos * limb3_S_multiplier_fy
+        )
         limb3_S_reaction_fx = -minus_limb3_S_reaction_fx
         t958 = limb3_U_0_cos * minus_limb3_S_multiplier_fz
         t959 = minus_limb3_lower_rotation_yy * limb3_S_multiplier_fy
@@ -9948,22 +11157,32 @@ def _forward_dynamics_reactions_first(*arguments):
         limb4_upper_sent_fz = limb4_upper_rate_fz - limb4_S_multiplier_fz
         limb4_lower_sent_fz = limb4_upper_sent_fz - (minus_limb4_upper_force_z + minus_limb4_lower_rate_fz)
         limb4_U_0_joint_sent_fy = t974 + limb4_U_0_sin * limb4_lower_sent_fz
-        limb4_lower_joint_sent_fy = minus_limb4_lower_sin * minus_limb4_lower_sent_fx + limb4_lower_cos * limb4_lower_sent_fy
-        limb4_U_0_joint_sent_fx = limb4_U_0_sin * minus_limb4_lower_joint_sent_fx - minus_limb4_U_0_cos * limb4_lower_sent_fz
-        t980 = 0.8 * limb4_U_0_joint_sent_fx
-        t983 = 1.11635 * limb4_lower_alpha_still_y + 1.19195 * limb4_lower_alpha_y
+        limb4_lower_joint_sent_fy = (
+            minus_limb4_lower_sin * minus_limb4_lower_sent_fx + limb4_lower_cos * limb4_lower_sent_fy
+        )
+        limb4_U_0_joint_sent_fx = (
+            limb4_U_0_sin * minus_limb4_lower_joint_sent_fx - minus_limb4_U_0_cos * limb4_lower_sent_fz
+        )
+        t980 = param_R * limb4_U_0_joint_sent_fx
+        t983 = k17 * limb4_lower_alpha_still_y + k16 * limb4_lower_alpha_y
         limb4_lower_rate_my_2 = minus_limb4_upper_moment_y + t983
         minus_limb4_upper_rate_my_2 = minus_limb4_upper_rate_my - t983
-        limb4_lower_sent_my = limb4_lower_rate_my_2 - (minus_limb4_upper_rate_my_2 + limb4_upper_offset_x * limb4_upper_sent_fz)
+        limb4_lower_sent_my = (
+            limb4_lower_rate_my_2 - (minus_limb4_upper_rate_my_2 + limb4_upper_offset_x * limb4_upper_sent_fz)
+        )
         t986 = minus_limb4_lower_sin * limb4_lower_sent_my
-        t987 = 0.02 * limb4_lower_alpha_still_x
-        minus_limb4_upper_rate_mx = t987 - 0.0556 * (limb4_lower_alpha_still_x + minus_limb4_lower_sin * minus_limb4_U_joint_acc_0)
+        t987 = k15 * limb4_lower_alpha_still_x
+        minus_limb4_upper_rate_mx = (
+            t987 - k14 * (limb4_lower_alpha_still_x + minus_limb4_lower_sin * minus_limb4_U_joint_acc_0)
+        )
         minus_limb4_lower_sent_mx = 2.0 * minus_limb4_upper_rate_mx
         limb4_lower_joint_sent_mx = t986 - limb4_lower_cos * minus_limb4_lower_sent_mx
         # limb4: reactions, eq. (32); balance, eqs. (40)-(47); geometry
         limb4_U_reaction_mx = t980 - minus_limb4_U_0_cos * limb4_lower_joint_sent_mx
-        limb4_lower_joint_sent_my = limb4_lower_cos * limb4_lower_sent_my + minus_limb4_lower_sin * minus_limb4_lower_sent_mx
-        minus_limb4_U_reaction_mz = 0.8 * limb4_U_0_joint_sent_fy + limb4_U_0_sin * limb4_lower_joint_sent_mx
+        limb4_lower_joint_sent_my = (
+            limb4_lower_cos * limb4_lower_sent_my + minus_limb4_lower_sin * minus_limb4_lower_sent_mx
+        )
+        minus_limb4_U_reaction_mz = param_R * limb4_U_0_joint_sent_fy + limb4_U_0_sin * limb4_lower_joint_sent_mx
         limb4_U_reaction_mz = -minus_limb4_U_reaction_mz
         t995 = limb4_U_0_sin * limb4_upper_sent_fz
         minus_limb4_lower_rotation_xy = minus_limb4_U_0_cos * minus_limb4_lower_sin
@@ -9977,7 +11196,9 @@ def _forward_dynamics_reactions_first(*arguments):
         minus_limb4_upper_position_z = limb4_upper_offset_x * minus_limb4_lower_rotation_zx
         t999 = minus_limb4_upper_position_z * limb4_P_reaction_fy
         t1001 = t999 - limb4_upper_position_y * minus_limb4_P_reaction_fz
-        minus_limb4_upper_rate_mz_2 = minus_limb4_upper_rate_mz + (1.13635 * minus_limb4_lower_U_still_xy + 1.17195 * minus_limb4_U_joint_acc_1)
+        minus_limb4_upper_rate_mz_2 = (
+            minus_limb4_upper_rate_mz + (k19 * minus_limb4_lower_U_still_xy + k18 * minus_limb4_U_joint_acc_1)
+        )
         t1005 = limb4_U_0_sin * minus_limb4_upper_rate_mz_2
         t1006 = minus_limb4_lower_rotation_xy * minus_limb4_upper_rate_my_2
         minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos
@@ -10016,19 +11237,26 @@ def _forward_dynamics_reactions_first(*arguments):
         t1047 = limb2_lower_cos * minus_limb2_S_multiplier_fx + limb2_lower_sin * limb2_S_multiplier_fy  # limb2
         t1049 = minus_limb2_U_0_cos * t1047 + t888  # limb2
         # platform: momentum rate, eq. (35); balance, eqs. (40)-(47)
-        minus_platform_rate_fz = 1.4912957453168034 * (limb5_S_v_wx * limb5_S_v_wx + limb5_S_v_wy * limb5_S_v_wy)
-        minus_platform_rate_fz_2 = minus_platform_rate_fz - 28.1547 * platform_turn_zz
+        minus_platform_rate_fz = platform_mz * (limb5_S_v_wx * limb5_S_v_wx + limb5_S_v_wy * limb5_S_v_wy)
+        minus_platform_rate_fz_2 = minus_platform_rate_fz - platform_m_gravity_z * platform_turn_zz
         t1053 = platform_turn_xz * minus_platform_rate_fz_2
-        t1054 = 28.1547 * platform_turn_zy
-        platform_rate_fy_2 = t1054 + 1.4912957453168034 * (platform_U_still_yz + minus_platform_alpha_x)
+        t1054 = platform_m_gravity_z * platform_turn_zy
+        platform_rate_fy_2 = t1054 + platform_mz * (platform_U_still_yz + minus_platform_alpha_x)
         t1055 = platform_turn_xy * platform_rate_fy_2
-        t1056 = 28.1547 * platform_turn_zx
-        platform_rate_fx_2 = t1056 + 1.4912957453168034 * (platform_U_still_xz - minus_platform_alpha_y)
-        t1062 = minus_limb3_S_reaction_fx + (t1049 - (limb1_U2_reaction_fx + (t1053 - (t1055 + platform_turn_xx * platform_rate_fx_2))))
+        t1056 = platform_m_gravity_z * platform_turn_zx
+        platform_rate_fx_2 = t1056 + platform_mz * (platform_U_still_xz - minus_platform_alpha_y)
+        t1062 = (
+            minus_limb3_S_reaction_fx + (t1049 - (limb1_U2_reaction_fx + (t1053 - (t1055 + platform_turn_xx *
+            platform_rate_fx_2))))
+        )
         platform_joint_sent_fx = t1044 + t1062
-        t1065 = limb3_lower_cos * minus_limb3_S_multiplier_fx - minus_limb3_lower_sin * limb3_S_multiplier_fy  # limb3
+        t1065 = (
+            limb3_lower_cos * minus_limb3_S_multiplier_fx - minus_limb3_lower_sin * limb3_S_multiplier_fy
+        )  # limb3
         t1067 = limb3_U_0_sin * t1065 - t958  # limb3
-        t1070 = limb1_lower_sin * minus_limb1_U2_multiplier_fy - limb1_lower_cos * minus_limb1_U2_multiplier_fx  # limb1
+        t1070 = (
+            limb1_lower_sin * minus_limb1_U2_multiplier_fy - limb1_lower_cos * minus_limb1_U2_multiplier_fx
+        )  # limb1
         t1072 = limb1_U_0_sin * t1070 - t812  # limb1
         t1073 = platform_turn_yz * minus_platform_rate_fz_2
         t1078 = t1072 + (t1073 - (platform_turn_yy * platform_rate_fy_2 + platform_turn_yx * platform_rate_fx_2))
@@ -10040,6 +11268,22 @@ def _forward_dynamics_reactions_first(*arguments):
         t1089 = platform_turn_zz * minus_platform_rate_fz_2
         t1094 = t1088 - (t1089 - (platform_turn_zy * platform_rate_fy_2 + platform_turn_zx * platform_rate_fx_2))
         platform_joint_sent_fz = t1082 - (t1084 - (t1086 + t1094))
+        guards = (  # status 1 where a pivot is smaller than its limit:
+            (minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-06),  # where the reciprocal wrench limb3_S.fz has no
+            # power along limb3_U.0, as in a stretched limb
+            (minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-06),  # where the reciprocal wrench limb2_S.fz has no
+            # power along limb2_U.0, as in a stretched limb
+            (minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-06),  # where the reciprocal wrench limb4_S.fz has no
+            # power along limb4_U.0, as in a stretched limb
+            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-06),  # where the reciprocal wrench limb1_U2.fz has
+            # no power along limb1_U.0, as in a stretched limb
+            (minus_limb5_S_pivot_wz, 1.0e-05),  # where the loops no longer determine limb5_S.wz
+            (limb5_S_reduced_inertia_wy_by_limb5_S_wy, 0.0007562600000000001),  # where limb5_S.wy feels no inertia
+            (pivot_1, 0.0007551200000000001),  # where step 1 of symmetric equations loses rank: of drives, inertia
+            # or internal loads
+            (platform_joint_force_mz_by_limb1_U2_mn, 4.017100000000001e-06),  # where limb1_U2.mn cannot balance
+            # platform.moment_z
+        )
         return _finish(batch, ((limb1_U_joint_acc_0, limb1_U_joint_acc_1, limb1_P_joint_acc,
             limb2_U_joint_acc_0, limb2_U_joint_acc_1, limb2_P_joint_acc, limb3_U_joint_acc_0,
             limb3_U_joint_acc_1, limb3_P_joint_acc, limb4_U_joint_acc_0, limb4_U_joint_acc_1,
@@ -10065,13 +11309,7 @@ def _forward_dynamics_reactions_first(*arguments):
             limb4_P_reaction_my, limb4_P_reaction_mz, limb4_S_reaction_fx, limb4_S_reaction_fy,
             limb4_S_reaction_fz, limb4_S_reaction_mx, limb4_S_reaction_my, limb4_S_reaction_mz,
             platform_joint_sent_fx, platform_joint_sent_fy, platform_joint_sent_fz, 0.0, 0.0, 0.0)),
-            ((minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-06),
-            (minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-06),
-            (minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-06),
-            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-06), (minus_limb5_S_pivot_wz,
-            1.0e-05), (limb5_S_reduced_inertia_wy_by_limb5_S_wy, 0.0007562600000000001), (pivot_1,
-            0.0007551200000000001), (platform_joint_force_mz_by_limb1_U2_mn,
-            4.017100000000001e-06)), (minus_limb1_U_0_lever_mz_by_limb1_U2_fz,
+            guards, (minus_limb1_U_0_lever_mz_by_limb1_U2_fz,
             minus_limb4_U_0_lever_mz_by_limb4_S_fz, minus_limb3_U_0_lever_mz_by_limb3_S_fz,
             minus_limb2_U_0_lever_mz_by_limb2_S_fz, minus_limb5_S_pivot_wz,
             limb5_S_reduced_inertia_wy_by_limb5_S_wy, pivot_1,
@@ -10094,7 +11332,8 @@ def _forward_dynamics_reactions_first(*arguments):
 
 def _forward_dynamics_reactions_dense(*arguments):
     """The dense path of forward_dynamics_reactions."""
-    entries, batch = _entries("_forward_dynamics_reactions_dense", {"q": 16, "v": 15, "u": 4}, arguments)
+    entries, batch = _entries("_forward_dynamics_reactions_dense", {"q": 16, "v": 15, "u": 4},
+        arguments)
     (
         limb1_U_q_0, limb1_U_q_1, limb1_P_q, limb2_U_q_0, limb2_U_q_1, limb2_P_q, limb3_U_q_0,
         limb3_U_q_1, limb3_P_q, limb4_U_q_0, limb4_U_q_1, limb4_P_q, limb5_S_q_qw, limb5_S_q_qx,
@@ -10104,30 +11343,30 @@ def _forward_dynamics_reactions_dense(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # limb1: geometry; accelerations; balance, eqs. (40)-(47)
-        t1 = 0.5235987755982989 + limb1_U_q_1
+        t1 = limb_lower_phase + limb1_U_q_1
         limb1_lower_cos = np.cos(t1)
-        limb1_upper_offset_x = 0.3 + limb1_P_q
-        t3 = limb1_upper_offset_x * (0.426 - 1.42 * limb1_upper_offset_x)
-        limb1_U_mass_matrix_0_by_limb1_U_0 = 0.1112 - limb1_lower_cos * (limb1_lower_cos * (t3 - 2.2727))
-        limb1_U_mass_matrix_1_by_limb1_U_1 = 2.3439 - t3
-        t7 = 2.6179938779914944 + limb2_U_q_1  # limb2
+        limb1_upper_offset_x = limb_upper_phase + limb1_P_q
+        t3 = limb1_upper_offset_x * (k7 - limb_lower_m * limb1_upper_offset_x)
+        limb1_U_mass_matrix_0_by_limb1_U_0 = k3 - limb1_lower_cos * (limb1_lower_cos * (t3 - k8))
+        limb1_U_mass_matrix_1_by_limb1_U_1 = k9 - t3
+        t7 = limb_lower_phase_2 + limb2_U_q_1  # limb2
         limb2_lower_cos = np.cos(t7)
-        limb2_upper_offset_x = 0.3 + limb2_P_q
-        t9 = limb2_upper_offset_x * (0.426 - 1.42 * limb2_upper_offset_x)  # limb2
-        limb2_U_mass_matrix_0_by_limb2_U_0 = 0.1112 - limb2_lower_cos * (limb2_lower_cos * (t9 - 2.2727))
-        limb2_U_mass_matrix_1_by_limb2_U_1 = 2.3439 - t9
-        t13 = 0.5235987755982989 - limb3_U_q_1  # limb3
+        limb2_upper_offset_x = limb_upper_phase + limb2_P_q
+        t9 = limb2_upper_offset_x * (k7 - limb_lower_m * limb2_upper_offset_x)  # limb2
+        limb2_U_mass_matrix_0_by_limb2_U_0 = k3 - limb2_lower_cos * (limb2_lower_cos * (t9 - k8))
+        limb2_U_mass_matrix_1_by_limb2_U_1 = k9 - t9
+        t13 = limb_lower_phase - limb3_U_q_1  # limb3
         limb3_lower_cos = np.cos(t13)
-        limb3_upper_offset_x = 0.3 + limb3_P_q
-        t15 = limb3_upper_offset_x * (0.426 - 1.42 * limb3_upper_offset_x)  # limb3
-        limb3_U_mass_matrix_0_by_limb3_U_0 = 0.1112 - limb3_lower_cos * (limb3_lower_cos * (t15 - 2.2727))
-        limb3_U_mass_matrix_1_by_limb3_U_1 = 2.3439 - t15
-        t19 = 2.6179938779914944 - limb4_U_q_1  # limb4
+        limb3_upper_offset_x = limb_upper_phase + limb3_P_q
+        t15 = limb3_upper_offset_x * (k7 - limb_lower_m * limb3_upper_offset_x)  # limb3
+        limb3_U_mass_matrix_0_by_limb3_U_0 = k3 - limb3_lower_cos * (limb3_lower_cos * (t15 - k8))
+        limb3_U_mass_matrix_1_by_limb3_U_1 = k9 - t15
+        t19 = limb_lower_phase_2 - limb4_U_q_1  # limb4
         limb4_lower_cos = np.cos(t19)
-        limb4_upper_offset_x = 0.3 + limb4_P_q
-        t21 = limb4_upper_offset_x * (0.426 - 1.42 * limb4_upper_offset_x)  # limb4
-        limb4_U_mass_matrix_0_by_limb4_U_0 = 0.1112 - limb4_lower_cos * (limb4_lower_cos * (t21 - 2.2727))
-        limb4_U_mass_matrix_1_by_limb4_U_1 = 2.3439 - t21
+        limb4_upper_offset_x = limb_upper_phase + limb4_P_q
+        t21 = limb4_upper_offset_x * (k7 - limb_lower_m * limb4_upper_offset_x)  # limb4
+        limb4_U_mass_matrix_0_by_limb4_U_0 = k3 - limb4_lower_cos * (limb4_lower_cos * (t21 - k8))
+        limb4_U_mass_matrix_1_by_limb4_U_1 = k9 - t21
         limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos
         t26 = limb1_P_v * (2.0 * limb1_lower_omega_y)
         limb1_lower_sin = np.sin(t1)
@@ -10135,27 +11374,39 @@ def _forward_dynamics_reactions_dense(*arguments):
         minus_limb1_lower_alpha_still_y = limb1_U_v_1 * limb1_lower_omega_x
         t27 = limb1_upper_offset_x * (2.0 * minus_limb1_lower_alpha_still_y)
         limb1_U_0_sin = np.sin(limb1_U_q_0)
-        minus_limb1_upper_acc_still_z = t26 - (t27 + 9.81 * limb1_U_0_sin)
-        minus_limb1_upper_rate_my = 0.213 * minus_limb1_upper_acc_still_z
-        t29 = limb1_upper_offset_x * (0.426 * minus_limb1_lower_alpha_still_y + 1.42 * minus_limb1_upper_acc_still_z)
+        minus_limb1_upper_acc_still_z = t26 - (t27 + gravity_z * limb1_U_0_sin)
+        minus_limb1_upper_rate_my = limb_lower_mx * minus_limb1_upper_acc_still_z
+        t29 = (
+            limb1_upper_offset_x * (k7 * minus_limb1_lower_alpha_still_y + limb_lower_m *
+            minus_limb1_upper_acc_still_z)
+        )
         t30 = minus_limb1_upper_rate_my - t29
-        t32 = limb1_lower_cos * (t30 + (2.08953 * limb1_U_0_sin + 4.6166 * minus_limb1_lower_alpha_still_y))
+        t32 = (
+            limb1_lower_cos * (t30 + (gravity_z_limb_lower_mx * limb1_U_0_sin + k11 *
+            minus_limb1_lower_alpha_still_y))
+        )
         limb1_lower_alpha_still_x = limb1_U_v_1 * limb1_lower_omega_y
-        minus_limb1_U_0_moment_z = t32 - limb1_lower_sin * (0.0712 * limb1_lower_alpha_still_x)
+        minus_limb1_U_0_moment_z = t32 - limb1_lower_sin * (k10 * limb1_lower_alpha_still_x)
         t35 = limb1_P_v * (2.0 * limb1_U_v_1)
         limb1_lower_U_still_xy = limb1_lower_omega_x * limb1_lower_omega_y
         t36 = limb1_upper_offset_x * limb1_lower_U_still_xy
         limb1_U_0_cos = np.cos(limb1_U_q_0)
-        limb1_U_0_acc_y = 9.81 * limb1_U_0_cos
+        limb1_U_0_acc_y = gravity_z * limb1_U_0_cos
         minus_limb1_lower_acc_y = limb1_lower_sin * limb1_U_0_acc_y
         limb1_upper_acc_still_y = t35 + (t36 - minus_limb1_lower_acc_y)
-        minus_limb1_upper_rate_mz = 0.213 * limb1_upper_acc_still_y
-        t39 = minus_limb1_upper_rate_mz + limb1_upper_offset_x * (0.213 * limb1_lower_U_still_xy - 1.42 * limb1_upper_acc_still_y)
-        minus_limb1_lower_moment_z = t39 - (2.2727 * limb1_lower_U_still_xy - 0.213 * minus_limb1_lower_acc_y)
+        minus_limb1_upper_rate_mz = limb_lower_mx * limb1_upper_acc_still_y
+        t38 = (
+            limb1_upper_offset_x * (limb_lower_mx * limb1_lower_U_still_xy - limb_lower_m * limb1_upper_acc_still_y)
+        )
+        t39 = minus_limb1_upper_rate_mz + t38
+        minus_limb1_lower_moment_z = t39 - (k8 * limb1_lower_U_still_xy - limb_lower_mx * minus_limb1_lower_acc_y)
         minus_limb1_lower_U_still_xx = limb1_lower_omega_y * limb1_lower_omega_y + limb1_U_v_1 * limb1_U_v_1
-        minus_limb1_lower_rate_fx = 0.213 * minus_limb1_lower_U_still_xx
+        minus_limb1_lower_rate_fx = limb_lower_mx * minus_limb1_lower_U_still_xx
         minus_limb1_upper_acc_still_x = limb1_upper_offset_x * minus_limb1_lower_U_still_xx
-        limb1_upper_rate_fx = minus_limb1_lower_rate_fx - 1.42 * (minus_limb1_upper_acc_still_x - limb1_lower_cos * limb1_U_0_acc_y)
+        limb1_upper_rate_fx = (
+            minus_limb1_lower_rate_fx - limb_lower_m * (minus_limb1_upper_acc_still_x - limb1_lower_cos *
+            limb1_U_0_acc_y)
+        )
         minus_limb1_P_generalised_force = limb1_P_u - limb1_upper_rate_fx
         # limb2: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
         limb2_lower_omega_y = limb2_U_v_0 * limb2_lower_cos
@@ -10165,89 +11416,117 @@ def _forward_dynamics_reactions_dense(*arguments):
         minus_limb2_lower_alpha_still_y = limb2_U_v_1 * limb2_lower_omega_x
         t45 = limb2_upper_offset_x * (2.0 * minus_limb2_lower_alpha_still_y)
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
-        minus_limb2_upper_acc_still_z = t44 - (t45 - 9.81 * minus_limb2_U_0_cos)
-        minus_limb2_upper_rate_my = 0.213 * minus_limb2_upper_acc_still_z
-        t47 = limb2_upper_offset_x * (0.426 * minus_limb2_lower_alpha_still_y + 1.42 * minus_limb2_upper_acc_still_z)
+        minus_limb2_upper_acc_still_z = t44 - (t45 - gravity_z * minus_limb2_U_0_cos)
+        minus_limb2_upper_rate_my = limb_lower_mx * minus_limb2_upper_acc_still_z
+        t47 = (
+            limb2_upper_offset_x * (k7 * minus_limb2_lower_alpha_still_y + limb_lower_m *
+            minus_limb2_upper_acc_still_z)
+        )
         t48 = minus_limb2_upper_rate_my - t47
-        t50 = limb2_lower_cos * (t48 - (2.08953 * minus_limb2_U_0_cos - 4.6166 * minus_limb2_lower_alpha_still_y))
-        minus_limb2_U_0_moment_z = t50 - limb2_lower_sin * (0.0712 * (limb2_U_v_1 * limb2_lower_omega_y))
+        minus_limb2_lower_moment_y = (
+            t48 - (gravity_z_limb_lower_mx * minus_limb2_U_0_cos - k11 * minus_limb2_lower_alpha_still_y)
+        )
+        t50 = limb2_lower_cos * minus_limb2_lower_moment_y
+        minus_limb2_U_0_moment_z = t50 - limb2_lower_sin * (k10 * (limb2_U_v_1 * limb2_lower_omega_y))
         t53 = limb2_P_v * (2.0 * limb2_U_v_1)
         limb2_lower_U_still_xy = limb2_lower_omega_x * limb2_lower_omega_y
         t54 = limb2_upper_offset_x * limb2_lower_U_still_xy
         limb2_U_0_sin = np.cos(limb2_U_q_0)
-        minus_limb2_U_0_acc_y = 9.81 * limb2_U_0_sin
+        minus_limb2_U_0_acc_y = gravity_z * limb2_U_0_sin
         limb2_lower_acc_y = limb2_lower_sin * minus_limb2_U_0_acc_y
         limb2_upper_acc_still_y = t53 + (t54 + limb2_lower_acc_y)
-        minus_limb2_upper_rate_mz = 0.213 * limb2_upper_acc_still_y
-        t57 = minus_limb2_upper_rate_mz + limb2_upper_offset_x * (0.213 * limb2_lower_U_still_xy - 1.42 * limb2_upper_acc_still_y)
-        minus_limb2_lower_moment_z = t57 - (2.2727 * limb2_lower_U_still_xy + 0.213 * limb2_lower_acc_y)
+        minus_limb2_upper_rate_mz = limb_lower_mx * limb2_upper_acc_still_y
+        t56 = (
+            limb2_upper_offset_x * (limb_lower_mx * limb2_lower_U_still_xy - limb_lower_m * limb2_upper_acc_still_y)
+        )
+        t57 = minus_limb2_upper_rate_mz + t56
+        minus_limb2_lower_moment_z = t57 - (k8 * limb2_lower_U_still_xy + limb_lower_mx * limb2_lower_acc_y)
         minus_limb2_lower_U_still_xx = limb2_lower_omega_y * limb2_lower_omega_y + limb2_U_v_1 * limb2_U_v_1
-        minus_limb2_lower_rate_fx = 0.213 * minus_limb2_lower_U_still_xx
+        minus_limb2_lower_rate_fx = limb_lower_mx * minus_limb2_lower_U_still_xx
         minus_limb2_upper_acc_still_x = limb2_upper_offset_x * minus_limb2_lower_U_still_xx
-        limb2_upper_rate_fx = minus_limb2_lower_rate_fx - 1.42 * (minus_limb2_upper_acc_still_x + limb2_lower_cos * minus_limb2_U_0_acc_y)
+        limb2_upper_rate_fx = (
+            minus_limb2_lower_rate_fx - limb_lower_m * (minus_limb2_upper_acc_still_x + limb2_lower_cos *
+            minus_limb2_U_0_acc_y)
+        )
         minus_limb2_P_generalised_force = limb2_P_u - limb2_upper_rate_fx
         # limb3: balance, eqs. (40)-(47); accelerations; momentum rate, eq. (35)
         minus_limb3_lower_sin = np.sin(t13)
         limb3_lower_omega_y = limb3_U_v_0 * limb3_lower_cos
-        t61 = minus_limb3_lower_sin * (0.0712 * (limb3_U_v_1 * limb3_lower_omega_y))
+        t61 = minus_limb3_lower_sin * (k10 * (limb3_U_v_1 * limb3_lower_omega_y))
         t63 = limb3_P_v * (2.0 * limb3_lower_omega_y)
         minus_limb3_lower_omega_x = limb3_U_v_0 * minus_limb3_lower_sin
         limb3_lower_alpha_still_y = limb3_U_v_1 * minus_limb3_lower_omega_x
         t64 = limb3_upper_offset_x * (2.0 * limb3_lower_alpha_still_y)
         limb3_U_0_sin = np.sin(limb3_U_q_0)
-        minus_limb3_upper_acc_still_z = t63 + (t64 - 9.81 * limb3_U_0_sin)
-        minus_limb3_upper_rate_my = 0.213 * minus_limb3_upper_acc_still_z
-        t66 = limb3_upper_offset_x * (0.426 * limb3_lower_alpha_still_y - 1.42 * minus_limb3_upper_acc_still_z)
-        minus_limb3_lower_moment_y = minus_limb3_upper_rate_my + t66 + (2.08953 * limb3_U_0_sin - 4.6166 * limb3_lower_alpha_still_y)
-        minus_limb3_U_0_moment_z = t61 + limb3_lower_cos * minus_limb3_lower_moment_y
+        minus_limb3_upper_acc_still_z = t63 + (t64 - gravity_z * limb3_U_0_sin)
+        minus_limb3_upper_rate_my = limb_lower_mx * minus_limb3_upper_acc_still_z
+        t66 = limb3_upper_offset_x * (k7 * limb3_lower_alpha_still_y - limb_lower_m * minus_limb3_upper_acc_still_z)
+        t67 = minus_limb3_upper_rate_my + t66
+        t69 = limb3_lower_cos * (t67 + (gravity_z_limb_lower_mx * limb3_U_0_sin - k11 * limb3_lower_alpha_still_y))
+        minus_limb3_U_0_moment_z = t61 + t69
         minus_limb3_lower_U_still_xy = minus_limb3_lower_omega_x * limb3_lower_omega_y
-        t70 = 2.2727 * minus_limb3_lower_U_still_xy
+        t70 = k8 * minus_limb3_lower_U_still_xy
         limb3_U_0_cos = np.cos(limb3_U_q_0)
-        limb3_U_0_acc_y = 9.81 * limb3_U_0_cos
+        limb3_U_0_acc_y = gravity_z * limb3_U_0_cos
         limb3_lower_acc_y = minus_limb3_lower_sin * limb3_U_0_acc_y
-        minus_limb3_lower_rate_mz = t70 - 0.213 * limb3_lower_acc_y
+        minus_limb3_lower_rate_mz = t70 - limb_lower_mx * limb3_lower_acc_y
         t72 = limb3_P_v * (2.0 * limb3_U_v_1)
         t73 = limb3_upper_offset_x * minus_limb3_lower_U_still_xy
         limb3_upper_acc_still_y = t72 - (t73 - limb3_lower_acc_y)
-        minus_limb3_upper_rate_mz = 0.213 * limb3_upper_acc_still_y
-        t75 = limb3_upper_offset_x * (0.213 * minus_limb3_lower_U_still_xy + 1.42 * limb3_upper_acc_still_y)
+        minus_limb3_upper_rate_mz = limb_lower_mx * limb3_upper_acc_still_y
+        t75 = (
+            limb3_upper_offset_x * (limb_lower_mx * minus_limb3_lower_U_still_xy + limb_lower_m *
+            limb3_upper_acc_still_y)
+        )
         minus_limb3_lower_moment_z = minus_limb3_lower_rate_mz + (minus_limb3_upper_rate_mz - t75)
         minus_limb3_lower_U_still_xx = limb3_lower_omega_y * limb3_lower_omega_y + limb3_U_v_1 * limb3_U_v_1
-        minus_limb3_lower_rate_fx = 0.213 * minus_limb3_lower_U_still_xx
+        minus_limb3_lower_rate_fx = limb_lower_mx * minus_limb3_lower_U_still_xx
         minus_limb3_upper_acc_still_x = limb3_upper_offset_x * minus_limb3_lower_U_still_xx
-        limb3_upper_rate_fx = minus_limb3_lower_rate_fx - 1.42 * (minus_limb3_upper_acc_still_x - limb3_lower_cos * limb3_U_0_acc_y)
+        limb3_upper_rate_fx = (
+            minus_limb3_lower_rate_fx - limb_lower_m * (minus_limb3_upper_acc_still_x - limb3_lower_cos *
+            limb3_U_0_acc_y)
+        )
         minus_limb3_P_generalised_force = limb3_P_u - limb3_upper_rate_fx
         # limb4: balance, eqs. (40)-(47); accelerations; momentum rate, eq. (35)
         minus_limb4_lower_sin = np.sin(t19)
         limb4_lower_omega_y = limb4_U_v_0 * limb4_lower_cos
-        t79 = minus_limb4_lower_sin * (0.0712 * (limb4_U_v_1 * limb4_lower_omega_y))
+        t79 = minus_limb4_lower_sin * (k10 * (limb4_U_v_1 * limb4_lower_omega_y))
         t81 = limb4_P_v * (2.0 * limb4_lower_omega_y)
         minus_limb4_lower_omega_x = limb4_U_v_0 * minus_limb4_lower_sin
         limb4_lower_alpha_still_y = limb4_U_v_1 * minus_limb4_lower_omega_x
         t82 = limb4_upper_offset_x * (2.0 * limb4_lower_alpha_still_y)
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
-        minus_limb4_upper_acc_still_z = t81 + (t82 + 9.81 * minus_limb4_U_0_cos)
-        minus_limb4_upper_rate_my = 0.213 * minus_limb4_upper_acc_still_z
-        t84 = limb4_upper_offset_x * (0.426 * limb4_lower_alpha_still_y - 1.42 * minus_limb4_upper_acc_still_z)
+        minus_limb4_upper_acc_still_z = t81 + (t82 + gravity_z * minus_limb4_U_0_cos)
+        minus_limb4_upper_rate_my = limb_lower_mx * minus_limb4_upper_acc_still_z
+        t84 = limb4_upper_offset_x * (k7 * limb4_lower_alpha_still_y - limb_lower_m * minus_limb4_upper_acc_still_z)
         t85 = minus_limb4_upper_rate_my + t84
-        t87 = limb4_lower_cos * (t85 - (2.08953 * minus_limb4_U_0_cos + 4.6166 * limb4_lower_alpha_still_y))
+        t87 = (
+            limb4_lower_cos * (t85 - (gravity_z_limb_lower_mx * minus_limb4_U_0_cos + k11 *
+            limb4_lower_alpha_still_y))
+        )
         minus_limb4_U_0_moment_z = t79 + t87
         minus_limb4_lower_U_still_xy = minus_limb4_lower_omega_x * limb4_lower_omega_y
-        t88 = 2.2727 * minus_limb4_lower_U_still_xy
+        t88 = k8 * minus_limb4_lower_U_still_xy
         limb4_U_0_sin = np.cos(limb4_U_q_0)
-        minus_limb4_U_0_acc_y = 9.81 * limb4_U_0_sin
+        minus_limb4_U_0_acc_y = gravity_z * limb4_U_0_sin
         minus_limb4_lower_acc_y = minus_limb4_lower_sin * minus_limb4_U_0_acc_y
-        minus_limb4_lower_rate_mz = t88 + 0.213 * minus_limb4_lower_acc_y
+        minus_limb4_lower_rate_mz = t88 + limb_lower_mx * minus_limb4_lower_acc_y
         t90 = limb4_P_v * (2.0 * limb4_U_v_1)
         t91 = limb4_upper_offset_x * minus_limb4_lower_U_still_xy
         limb4_upper_acc_still_y = t90 - (t91 + minus_limb4_lower_acc_y)
-        minus_limb4_upper_rate_mz = 0.213 * limb4_upper_acc_still_y
-        t93 = limb4_upper_offset_x * (0.213 * minus_limb4_lower_U_still_xy + 1.42 * limb4_upper_acc_still_y)
+        minus_limb4_upper_rate_mz = limb_lower_mx * limb4_upper_acc_still_y
+        t93 = (
+            limb4_upper_offset_x * (limb_lower_mx * minus_limb4_lower_U_still_xy + limb_lower_m *
+            limb4_upper_acc_still_y)
+        )
         minus_limb4_lower_moment_z = minus_limb4_lower_rate_mz + (minus_limb4_upper_rate_mz - t93)
         minus_limb4_lower_U_still_xx = limb4_lower_omega_y * limb4_lower_omega_y + limb4_U_v_1 * limb4_U_v_1
-        minus_limb4_lower_rate_fx = 0.213 * minus_limb4_lower_U_still_xx
+        minus_limb4_lower_rate_fx = limb_lower_mx * minus_limb4_lower_U_still_xx
         minus_limb4_upper_acc_still_x = limb4_upper_offset_x * minus_limb4_lower_U_still_xx
-        limb4_upper_rate_fx = minus_limb4_lower_rate_fx - 1.42 * (minus_limb4_upper_acc_still_x + limb4_lower_cos * minus_limb4_U_0_acc_y)
+        limb4_upper_rate_fx = (
+            minus_limb4_lower_rate_fx - limb_lower_m * (minus_limb4_upper_acc_still_x + limb4_lower_cos *
+            minus_limb4_U_0_acc_y)
+        )
         minus_limb4_P_generalised_force = limb4_P_u - limb4_upper_rate_fx
         # mechanism: geometry; reciprocal wrenches, eq. (10); loop closure
         t97 = limb5_S_q_qw * limb5_S_q_qw
@@ -10262,13 +11541,13 @@ def _forward_dynamics_reactions_dense(*arguments):
         t107 = limb5_S_q_qy * t106
         t109 = limb5_S_q_qw * (limb5_S_q_qx * t105)
         platform_turn_zy = t107 + t109
-        minus_platform_rate_mx = 14.62961126155784 * platform_turn_zy - 22.6251 * (limb5_S_v_wy * limb5_S_v_wz)
-        t111 = 22.6251 * (limb5_S_v_wx * limb5_S_v_wz)
+        minus_platform_rate_mx = gravity_z_platform_mz * platform_turn_zy - k12 * (limb5_S_v_wy * limb5_S_v_wz)
+        t111 = k12 * (limb5_S_v_wx * limb5_S_v_wz)
         t112 = limb5_S_q_qx * t106
         t113 = limb5_S_q_qy * t105
         t114 = limb5_S_q_qw * t113
         platform_turn_zx = t112 - t114
-        minus_platform_rate_my = t111 - 14.62961126155784 * platform_turn_zx
+        minus_platform_rate_my = t111 - gravity_z_platform_mz * platform_turn_zx
         minus_limb1_U_0_lever_mz_by_limb1_U2_fz = limb1_lower_cos * limb1_upper_offset_x
         limb1_U_0_lever_mz_by_limb1_U2_fz = -minus_limb1_U_0_lever_mz_by_limb1_U2_fz
         platform_turn_yy = 1.0 - t105 * (t98 + t101)
@@ -10287,19 +11566,23 @@ def _forward_dynamics_reactions_dense(*arguments):
         minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x
         limb4_U_0_lever_mz_by_limb4_S_fz = -minus_limb4_U_0_lever_mz_by_limb4_S_fz
         platform_turn_yx = t123 + t124
-        base_lever_my_by_limb1_U2_fx = 0.8 * (limb1_U_0_cos * limb1_lower_cos)
+        base_lever_my_by_limb1_U2_fx = param_R * (limb1_U_0_cos * limb1_lower_cos)
         t126 = platform_turn_yx * base_lever_my_by_limb1_U2_fx
-        base_lever_mz_by_limb1_U2_fx = 0.8 * (limb1_U_0_sin * limb1_lower_cos)
+        base_lever_mz_by_limb1_U2_fx = param_R * (limb1_U_0_sin * limb1_lower_cos)
         t128 = t126 + platform_turn_zx * base_lever_mz_by_limb1_U2_fx
         closure_156 = -t128
-        base_lever_my_by_limb1_U2_fy = limb1_U_0_cos * limb1_upper_offset_x - 0.8 * (limb1_U_0_cos * limb1_lower_sin)
+        base_lever_my_by_limb1_U2_fy = (
+            limb1_U_0_cos * limb1_upper_offset_x - param_R * (limb1_U_0_cos * limb1_lower_sin)
+        )
         t131 = platform_turn_yx * base_lever_my_by_limb1_U2_fy
-        base_lever_mz_by_limb1_U2_fy = limb1_U_0_sin * limb1_upper_offset_x - 0.8 * (limb1_U_0_sin * limb1_lower_sin)
+        base_lever_mz_by_limb1_U2_fy = (
+            limb1_U_0_sin * limb1_upper_offset_x - param_R * (limb1_U_0_sin * limb1_lower_sin)
+        )
         t135 = t131 + platform_turn_zx * base_lever_mz_by_limb1_U2_fy
         closure_157 = -t135
         platform_turn_xx = 1.0 - t102 * t105
         t137 = platform_turn_xx * minus_limb1_U_0_lever_mz_by_limb1_U2_fz
-        minus_limb1_upper_position_x = 0.8 - limb1_lower_sin * limb1_upper_offset_x
+        minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x
         base_lever_my_by_limb1_U2_fz = limb1_U_0_sin * minus_limb1_upper_position_x
         t139 = t137 - platform_turn_yx * base_lever_my_by_limb1_U2_fz
         minus_base_lever_mz_by_limb1_U2_fz = limb1_U_0_cos * minus_limb1_upper_position_x
@@ -10313,47 +11596,57 @@ def _forward_dynamics_reactions_dense(*arguments):
         base_lever_mz_by_limb1_U2_mn = t145 + limb1_U_0_cos * limb1_U_0_lever_my_by_limb1_U2_mn
         t148 = t144 + platform_turn_zx * base_lever_mz_by_limb1_U2_mn
         closure_159 = -t148
-        minus_base_lever_mz_by_limb2_S_fx = 0.8 * (minus_limb2_U_0_cos * limb2_lower_cos)
+        minus_base_lever_mz_by_limb2_S_fx = param_R * (minus_limb2_U_0_cos * limb2_lower_cos)
         t149 = platform_turn_zx * minus_base_lever_mz_by_limb2_S_fx
-        base_lever_mx_by_limb2_S_fx = 0.8 * (limb2_U_0_sin * limb2_lower_cos)
+        base_lever_mx_by_limb2_S_fx = param_R * (limb2_U_0_sin * limb2_lower_cos)
         closure_160 = t149 - platform_turn_xx * base_lever_mx_by_limb2_S_fx
-        minus_base_lever_mz_by_limb2_S_fy = minus_limb2_U_0_cos * limb2_upper_offset_x - 0.8 * (minus_limb2_U_0_cos * limb2_lower_sin)
+        minus_base_lever_mz_by_limb2_S_fy = (
+            minus_limb2_U_0_cos * limb2_upper_offset_x - param_R * (minus_limb2_U_0_cos * limb2_lower_sin)
+        )
         t153 = platform_turn_zx * minus_base_lever_mz_by_limb2_S_fy
-        base_lever_mx_by_limb2_S_fy = limb2_U_0_sin * limb2_upper_offset_x - 0.8 * (limb2_U_0_sin * limb2_lower_sin)
+        base_lever_mx_by_limb2_S_fy = (
+            limb2_U_0_sin * limb2_upper_offset_x - param_R * (limb2_U_0_sin * limb2_lower_sin)
+        )
         closure_161 = t153 - platform_turn_xx * base_lever_mx_by_limb2_S_fy
         t157 = platform_turn_yx * minus_limb2_U_0_lever_mz_by_limb2_S_fz
-        minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
+        minus_limb2_upper_position_y = param_R - limb2_lower_sin * limb2_upper_offset_x
         base_lever_mx_by_limb2_S_fz = minus_limb2_U_0_cos * minus_limb2_upper_position_y
         t159 = t157 - platform_turn_xx * base_lever_mx_by_limb2_S_fz
         base_lever_mz_by_limb2_S_fz = limb2_U_0_sin * minus_limb2_upper_position_y
         closure_162 = t159 - platform_turn_zx * base_lever_mz_by_limb2_S_fz
-        minus_base_lever_my_by_limb3_S_fx = 0.8 * (limb3_U_0_cos * limb3_lower_cos)
+        minus_base_lever_my_by_limb3_S_fx = param_R * (limb3_U_0_cos * limb3_lower_cos)
         t161 = platform_turn_yx * minus_base_lever_my_by_limb3_S_fx
-        minus_base_lever_mz_by_limb3_S_fx = 0.8 * (limb3_U_0_sin * limb3_lower_cos)
+        minus_base_lever_mz_by_limb3_S_fx = param_R * (limb3_U_0_sin * limb3_lower_cos)
         closure_163 = t161 + platform_turn_zx * minus_base_lever_mz_by_limb3_S_fx
-        base_lever_my_by_limb3_S_fy = limb3_U_0_cos * limb3_upper_offset_x - 0.8 * (limb3_U_0_cos * minus_limb3_lower_sin)
+        base_lever_my_by_limb3_S_fy = (
+            limb3_U_0_cos * limb3_upper_offset_x - param_R * (limb3_U_0_cos * minus_limb3_lower_sin)
+        )
         t165 = platform_turn_yx * base_lever_my_by_limb3_S_fy
-        base_lever_mz_by_limb3_S_fy = limb3_U_0_sin * limb3_upper_offset_x - 0.8 * (limb3_U_0_sin * minus_limb3_lower_sin)
+        base_lever_mz_by_limb3_S_fy = (
+            limb3_U_0_sin * limb3_upper_offset_x - param_R * (limb3_U_0_sin * minus_limb3_lower_sin)
+        )
         t169 = t165 + platform_turn_zx * base_lever_mz_by_limb3_S_fy
         closure_164 = -t169
         t170 = platform_turn_xx * minus_limb3_U_0_lever_mz_by_limb3_S_fz
-        limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
+        limb3_upper_position_x = param_R - minus_limb3_lower_sin * limb3_upper_offset_x
         minus_base_lever_my_by_limb3_S_fz = limb3_U_0_sin * limb3_upper_position_x
         t172 = t170 + platform_turn_yx * minus_base_lever_my_by_limb3_S_fz
         base_lever_mz_by_limb3_S_fz = limb3_U_0_cos * limb3_upper_position_x
         closure_165 = t172 - platform_turn_zx * base_lever_mz_by_limb3_S_fz
-        minus_base_lever_mx_by_limb4_S_fx = 0.8 * (limb4_U_0_sin * limb4_lower_cos)
+        minus_base_lever_mx_by_limb4_S_fx = param_R * (limb4_U_0_sin * limb4_lower_cos)
         t174 = platform_turn_xx * minus_base_lever_mx_by_limb4_S_fx
-        base_lever_mz_by_limb4_S_fx = 0.8 * (minus_limb4_U_0_cos * limb4_lower_cos)
+        base_lever_mz_by_limb4_S_fx = param_R * (minus_limb4_U_0_cos * limb4_lower_cos)
         closure_166 = t174 - platform_turn_zx * base_lever_mz_by_limb4_S_fx
         t176 = minus_limb4_U_0_cos * limb4_upper_offset_x  # limb4
-        minus_base_lever_mz_by_limb4_S_fy = t176 - 0.8 * (minus_limb4_U_0_cos * minus_limb4_lower_sin)
+        minus_base_lever_mz_by_limb4_S_fy = t176 - param_R * (minus_limb4_U_0_cos * minus_limb4_lower_sin)
         # mechanism: loop closure; reciprocal wrenches, eq. (10); geometry
         t178 = platform_turn_zx * minus_base_lever_mz_by_limb4_S_fy
-        base_lever_mx_by_limb4_S_fy = limb4_U_0_sin * limb4_upper_offset_x - 0.8 * (limb4_U_0_sin * minus_limb4_lower_sin)
+        base_lever_mx_by_limb4_S_fy = (
+            limb4_U_0_sin * limb4_upper_offset_x - param_R * (limb4_U_0_sin * minus_limb4_lower_sin)
+        )
         closure_167 = t178 - platform_turn_xx * base_lever_mx_by_limb4_S_fy
         t182 = platform_turn_yx * minus_limb4_U_0_lever_mz_by_limb4_S_fz
-        limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
+        limb4_upper_position_y = param_R - minus_limb4_lower_sin * limb4_upper_offset_x
         minus_base_lever_mx_by_limb4_S_fz = minus_limb4_U_0_cos * limb4_upper_position_y
         t184 = t182 + platform_turn_xx * minus_base_lever_mx_by_limb4_S_fz
         minus_base_lever_mz_by_limb4_S_fz = limb4_U_0_sin * limb4_upper_position_y
@@ -10440,10 +11733,10 @@ def _forward_dynamics_reactions_dense(*arguments):
         t282 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy  # platform
         platform_twist_wx = t282 + limb5_S_v_wz * platform_turn_xz
         t285 = t279 + limb1_lower_cos * platform_twist_wx
-        minus_limb1_U2_arm_y = 0.8 * limb1_lower_cos
+        minus_limb1_U2_arm_y = param_R * limb1_lower_cos
         t288 = limb1_lower_cos * t278 - limb1_lower_sin * platform_twist_wx
         t289 = minus_limb1_U2_arm_y * t288
-        limb1_U2_arm_x = limb1_upper_offset_x - 0.8 * limb1_lower_sin
+        limb1_U2_arm_x = limb1_upper_offset_x - param_R * limb1_lower_sin
         t292 = t289 - limb1_U2_arm_x * t285
         t293 = t285 * t292
         t296 = limb1_U_0_cos * platform_twist_wy + limb1_U_0_sin * platform_twist_wz
@@ -10463,14 +11756,16 @@ def _forward_dynamics_reactions_dense(*arguments):
         t319 = t313 - limb1_U2_constraint_mn_couple_z * (t314 - limb1_lower_omega_y * t315)
         limb1_U2_opening_mn = limb1_lower_sin * t121 + limb1_lower_cos * platform_turn_xy
         t325 = t315 * (limb1_U2_opening_mn * t315 + limb1_U2_constraint_mn_couple_z * t309)
-        limb1_U2_opening_bias_mn = t319 - (t325 - t307 * (limb1_U2_constraint_mn_couple_x * t309 - limb1_U2_opening_mn * t307))
+        limb1_U2_opening_bias_mn = (
+            t319 - (t325 - t307 * (limb1_U2_constraint_mn_couple_x * t309 - limb1_U2_opening_mn * t307))
+        )
         # limb2: loop closure; reciprocal wrenches, eq. (10); accelerations
         t333 = limb2_U_0_sin * platform_twist_wz + minus_limb2_U_0_cos * platform_twist_wx
         t336 = limb2_lower_sin * t333 + limb2_lower_cos * platform_twist_wy
-        minus_limb2_S_arm_y = 0.8 * limb2_lower_cos
+        minus_limb2_S_arm_y = param_R * limb2_lower_cos
         t339 = limb2_lower_cos * t333 - limb2_lower_sin * platform_twist_wy
         t340 = minus_limb2_S_arm_y * t339
-        limb2_S_arm_x = limb2_upper_offset_x - 0.8 * limb2_lower_sin
+        limb2_S_arm_x = limb2_upper_offset_x - param_R * limb2_lower_sin
         t343 = t340 - limb2_S_arm_x * t336
         t344 = t336 * t343
         t347 = minus_limb2_U_0_cos * platform_twist_wz - limb2_U_0_sin * platform_twist_wx
@@ -10484,10 +11779,10 @@ def _forward_dynamics_reactions_dense(*arguments):
         # limb3: loop closure; reciprocal wrenches, eq. (10)
         t360 = limb3_U_0_sin * platform_twist_wy - limb3_U_0_cos * platform_twist_wz
         t363 = minus_limb3_lower_sin * t360 - limb3_lower_cos * platform_twist_wx
-        limb3_S_arm_y = 0.8 * limb3_lower_cos
+        limb3_S_arm_y = param_R * limb3_lower_cos
         t366 = limb3_lower_cos * t360 + minus_limb3_lower_sin * platform_twist_wx
         t367 = limb3_S_arm_y * t366
-        limb3_S_arm_x = limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin
+        limb3_S_arm_x = limb3_upper_offset_x - param_R * minus_limb3_lower_sin
         t370 = t367 - limb3_S_arm_x * t363
         t371 = t363 * t370
         t374 = limb3_U_0_cos * platform_twist_wy + limb3_U_0_sin * platform_twist_wz
@@ -10500,10 +11795,10 @@ def _forward_dynamics_reactions_dense(*arguments):
         # limb4: loop closure; reciprocal wrenches, eq. (10)
         t387 = limb4_U_0_sin * platform_twist_wz + minus_limb4_U_0_cos * platform_twist_wx
         t390 = minus_limb4_lower_sin * t387 - limb4_lower_cos * platform_twist_wy
-        limb4_S_arm_y = 0.8 * limb4_lower_cos
+        limb4_S_arm_y = param_R * limb4_lower_cos
         t393 = limb4_lower_cos * t387 + minus_limb4_lower_sin * platform_twist_wy
         t394 = limb4_S_arm_y * t393
-        limb4_S_arm_x = limb4_upper_offset_x - 0.8 * minus_limb4_lower_sin
+        limb4_S_arm_x = limb4_upper_offset_x - param_R * minus_limb4_lower_sin
         t397 = t394 - limb4_S_arm_x * t390
         t398 = t390 * t397
         t401 = minus_limb4_U_0_cos * platform_twist_wz - limb4_U_0_sin * platform_twist_wx
@@ -10514,75 +11809,77 @@ def _forward_dynamics_reactions_dense(*arguments):
         limb4_S_opening_bias_fy = t401 * t405 + t393 * t397 - (t91 - t90)
         minus_limb4_S_opening_bias_fz = t82 + t81 + (t393 * t402 + t390 * t405)
         limb4_S_opening_bias_fz = -minus_limb4_S_opening_bias_fz
+        guards = ()
         return _finish(batch, ((limb1_U_mass_matrix_0_by_limb1_U_0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
             0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, limb1_U_mass_matrix_1_by_limb1_U_1, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.42, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, limb_lower_m, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
             limb2_U_mass_matrix_0_by_limb2_U_0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
             0.0, 0.0, 0.0, 0.0, 0.0, limb2_U_mass_matrix_1_by_limb2_U_1, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.42, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, limb3_U_mass_matrix_0_by_limb3_U_0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, limb_lower_m, 0.0, 0.0, 0.0, 0.0, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, limb3_U_mass_matrix_0_by_limb3_U_0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
             limb3_U_mass_matrix_1_by_limb3_U_1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 1.42, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, limb4_U_mass_matrix_0_by_limb4_U_0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, limb4_U_mass_matrix_1_by_limb4_U_1, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.42, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 69.4749, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 69.4749, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 92.1), (minus_limb1_U_0_moment_z,
-            minus_limb1_lower_moment_z, minus_limb1_P_generalised_force, minus_limb2_U_0_moment_z,
-            minus_limb2_lower_moment_z, minus_limb2_P_generalised_force, minus_limb3_U_0_moment_z,
-            minus_limb3_lower_moment_z, minus_limb3_P_generalised_force, minus_limb4_U_0_moment_z,
-            minus_limb4_lower_moment_z, minus_limb4_P_generalised_force, minus_platform_rate_mx,
-            minus_platform_rate_my, 0.0), (0.0, 0.0, limb1_U_0_lever_mz_by_limb1_U2_fz,
-            limb1_U_0_lever_mz_by_limb1_U2_mn, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            limb1_upper_offset_x, 0.0, limb1_U2_constraint_mn_couple_z, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, limb2_U_0_lever_mz_by_limb2_S_fz, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, limb2_upper_offset_x, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, limb3_U_0_lever_mz_by_limb3_S_fz, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, limb3_upper_offset_x, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, limb4_U_0_lever_mz_by_limb4_S_fz, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, limb4_upper_offset_x, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 1.0, 0.0, 0.0, closure_156, closure_157, closure_158, closure_159,
-            closure_160, closure_161, closure_162, closure_163, closure_164, closure_165,
-            closure_166, closure_167, closure_168, closure_169, closure_170, closure_171,
-            closure_172, closure_173, closure_174, closure_175, closure_176, closure_177,
-            closure_178, closure_179, closure_180, closure_181, closure_182, closure_183,
-            closure_184, closure_185, closure_186, closure_187, closure_188, closure_189,
-            closure_190, closure_191, closure_192, closure_193, closure_194),
-            (limb1_U2_opening_bias_fx, limb1_U2_opening_bias_fy, limb1_U2_opening_bias_fz,
-            limb1_U2_opening_bias_mn, limb2_S_opening_bias_fx, limb2_S_opening_bias_fy,
-            limb2_S_opening_bias_fz, limb3_S_opening_bias_fx, limb3_S_opening_bias_fy,
-            limb3_S_opening_bias_fz, limb4_S_opening_bias_fx, limb4_S_opening_bias_fy,
-            limb4_S_opening_bias_fz)), (), (limb1_U_mass_matrix_0_by_limb1_U_0,
-            limb1_U_mass_matrix_1_by_limb1_U_1, limb2_U_mass_matrix_0_by_limb2_U_0,
-            limb2_U_mass_matrix_1_by_limb2_U_1, limb3_U_mass_matrix_0_by_limb3_U_0,
-            limb3_U_mass_matrix_1_by_limb3_U_1, limb4_U_mass_matrix_0_by_limb4_U_0,
-            limb4_U_mass_matrix_1_by_limb4_U_1, minus_limb1_U_0_moment_z,
-            minus_limb1_lower_moment_z, minus_limb1_P_generalised_force, minus_limb2_U_0_moment_z,
-            minus_limb2_lower_moment_z, minus_limb2_P_generalised_force, minus_limb3_U_0_moment_z,
-            minus_limb3_lower_moment_z, minus_limb3_P_generalised_force, minus_limb4_U_0_moment_z,
-            minus_limb4_lower_moment_z, minus_limb4_P_generalised_force, minus_platform_rate_mx,
-            minus_platform_rate_my, t128, t135, closure_158, t148, closure_160, closure_161,
-            closure_162, closure_163, t169, closure_165, closure_166, closure_167, closure_168,
-            t188, t191, closure_171, t200, closure_173, closure_174, closure_175, closure_176, t213,
-            closure_178, closure_179, closure_180, closure_181, t230, t233, closure_184, t242,
-            closure_186, closure_187, closure_188, closure_189, t255, closure_191, closure_192,
-            closure_193, closure_194, minus_limb1_U2_opening_bias_fx, limb1_U2_opening_bias_fy,
-            limb1_U2_opening_bias_fz, limb1_U2_opening_bias_mn, minus_limb2_S_opening_bias_fx,
-            limb2_S_opening_bias_fy, limb2_S_opening_bias_fz, minus_limb3_S_opening_bias_fx,
-            limb3_S_opening_bias_fy, limb3_S_opening_bias_fz, minus_limb4_S_opening_bias_fx,
-            limb4_S_opening_bias_fy, minus_limb4_S_opening_bias_fz), ((t103, 0.999999, 1.000001,
-            5),))
+            0.0, 0.0, 0.0, 0.0, 0.0, limb_lower_m, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, limb4_U_mass_matrix_0_by_limb4_U_0, 0.0, 0.0, 0.0, 0.0, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, limb4_U_mass_matrix_1_by_limb4_U_1,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, limb_lower_m,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, k13, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, k13, 0.0, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, platform_Izz),
+            (minus_limb1_U_0_moment_z, minus_limb1_lower_moment_z, minus_limb1_P_generalised_force,
+            minus_limb2_U_0_moment_z, minus_limb2_lower_moment_z, minus_limb2_P_generalised_force,
+            minus_limb3_U_0_moment_z, minus_limb3_lower_moment_z, minus_limb3_P_generalised_force,
+            minus_limb4_U_0_moment_z, minus_limb4_lower_moment_z, minus_limb4_P_generalised_force,
+            minus_platform_rate_mx, minus_platform_rate_my, 0.0), (0.0, 0.0,
+            limb1_U_0_lever_mz_by_limb1_U2_fz, limb1_U_0_lever_mz_by_limb1_U2_mn, 0.0, 0.0, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, limb1_upper_offset_x, 0.0,
+            limb1_U2_constraint_mn_couple_z, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+            limb2_U_0_lever_mz_by_limb2_S_fz, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+            limb2_upper_offset_x, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+            limb3_U_0_lever_mz_by_limb3_S_fz, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+            limb3_upper_offset_x, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+            limb4_U_0_lever_mz_by_limb4_S_fz, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+            limb4_upper_offset_x, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0,
+            0.0, closure_156, closure_157, closure_158, closure_159, closure_160, closure_161,
+            closure_162, closure_163, closure_164, closure_165, closure_166, closure_167,
+            closure_168, closure_169, closure_170, closure_171, closure_172, closure_173,
+            closure_174, closure_175, closure_176, closure_177, closure_178, closure_179,
+            closure_180, closure_181, closure_182, closure_183, closure_184, closure_185,
+            closure_186, closure_187, closure_188, closure_189, closure_190, closure_191,
+            closure_192, closure_193, closure_194), (limb1_U2_opening_bias_fx,
+            limb1_U2_opening_bias_fy, limb1_U2_opening_bias_fz, limb1_U2_opening_bias_mn,
+            limb2_S_opening_bias_fx, limb2_S_opening_bias_fy, limb2_S_opening_bias_fz,
+            limb3_S_opening_bias_fx, limb3_S_opening_bias_fy, limb3_S_opening_bias_fz,
+            limb4_S_opening_bias_fx, limb4_S_opening_bias_fy, limb4_S_opening_bias_fz)), guards,
+            (limb1_U_mass_matrix_0_by_limb1_U_0, limb1_U_mass_matrix_1_by_limb1_U_1,
+            limb2_U_mass_matrix_0_by_limb2_U_0, limb2_U_mass_matrix_1_by_limb2_U_1,
+            limb3_U_mass_matrix_0_by_limb3_U_0, limb3_U_mass_matrix_1_by_limb3_U_1,
+            limb4_U_mass_matrix_0_by_limb4_U_0, limb4_U_mass_matrix_1_by_limb4_U_1,
+            minus_limb1_U_0_moment_z, minus_limb1_lower_moment_z, minus_limb1_P_generalised_force,
+            minus_limb2_U_0_moment_z, minus_limb2_lower_moment_z, minus_limb2_P_generalised_force,
+            minus_limb3_U_0_moment_z, minus_limb3_lower_moment_z, minus_limb3_P_generalised_force,
+            minus_limb4_U_0_moment_z, minus_limb4_lower_moment_z, minus_limb4_P_generalised_force,
+            minus_platform_rate_mx, minus_platform_rate_my, t128, t135, closure_158, t148,
+            closure_160, closure_161, closure_162, closure_163, t169, closure_165, closure_166,
+            closure_167, closure_168, t188, t191, closure_171, t200, closure_173, closure_174,
+            closure_175, closure_176, t213, closure_178, closure_179, closure_180, closure_181,
+            t230, t233, closure_184, t242, closure_186, closure_187, closure_188, closure_189, t255,
+            closure_191, closure_192, closure_193, closure_194, minus_limb1_U2_opening_bias_fx,
+            limb1_U2_opening_bias_fy, limb1_U2_opening_bias_fz, limb1_U2_opening_bias_mn,
+            minus_limb2_S_opening_bias_fx, limb2_S_opening_bias_fy, limb2_S_opening_bias_fz,
+            minus_limb3_S_opening_bias_fx, limb3_S_opening_bias_fy, limb3_S_opening_bias_fz,
+            minus_limb4_S_opening_bias_fx, limb4_S_opening_bias_fy, minus_limb4_S_opening_bias_fz),
+            ((t103, 0.999999, 1.000001, 5),))
 
 
 def _forward_dynamics_reactions_wrenches(*arguments):
     """The wrenches path of forward_dynamics_reactions."""
-    entries, batch = _entries("_forward_dynamics_reactions_wrenches", {"q": 16, "v": 15, "u": 4, "a": 15, "multipliers": 13}, arguments)
+    entries, batch = _entries("_forward_dynamics_reactions_wrenches", {"q": 16, "v": 15, "u": 4,
+        "a": 15, "multipliers": 13}, arguments)
     (
         limb1_U_q_0, limb1_U_q_1, limb1_P_q, limb2_U_q_0, limb2_U_q_1, limb2_P_q, limb3_U_q_0,
         limb3_U_q_1, limb3_P_q, limb4_U_q_0, limb4_U_q_1, limb4_P_q, limb5_S_q_qw, limb5_S_q_qx,
@@ -10597,48 +11894,56 @@ def _forward_dynamics_reactions_wrenches(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # limb1: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
-        t1 = 0.5235987755982989 + limb1_U_q_1
+        t1 = limb_lower_phase + limb1_U_q_1
         limb1_lower_cos = np.cos(t1)
         limb1_lower_sin = np.sin(t1)
         limb1_lower_omega_x = limb1_U_v_0 * limb1_lower_sin
         limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos
         limb1_lower_U_still_xy = limb1_lower_omega_x * limb1_lower_omega_y
         limb1_lower_U_yx = limb1_U_a_1 + limb1_lower_U_still_xy
-        limb1_lower_rate_fy = 0.213 * limb1_lower_U_yx
+        limb1_lower_rate_fy = limb_lower_mx * limb1_lower_U_yx
         limb1_U_0_cos = np.cos(limb1_U_q_0)
-        limb1_U_0_acc_y = 9.81 * limb1_U_0_cos
+        limb1_U_0_acc_y = gravity_z * limb1_U_0_cos
         minus_limb1_lower_acc_y = limb1_lower_sin * limb1_U_0_acc_y
-        limb1_lower_rate_fy_2 = limb1_lower_rate_fy - 1.42 * minus_limb1_lower_acc_y
+        limb1_lower_rate_fy_2 = limb1_lower_rate_fy - limb_lower_m * minus_limb1_lower_acc_y
         t3 = limb1_P_v * (2.0 * limb1_U_v_1)
-        limb1_upper_offset_x = 0.3 + limb1_P_q
+        limb1_upper_offset_x = limb_upper_phase + limb1_P_q
         limb1_upper_acc_y = t3 + (limb1_upper_offset_x * limb1_lower_U_yx - minus_limb1_lower_acc_y)
-        limb1_upper_sent_fy = 1.42 * limb1_upper_acc_y - limb1_lower_rate_fy - multipliers_1
+        limb1_upper_sent_fy = limb_lower_m * limb1_upper_acc_y - limb1_lower_rate_fy - multipliers_1
         limb1_lower_sent_fy = limb1_lower_rate_fy_2 + limb1_upper_sent_fy
         t6 = limb1_lower_cos * limb1_lower_sent_fy
         minus_limb1_lower_U_still_xx = limb1_lower_omega_y * limb1_lower_omega_y + limb1_U_v_1 * limb1_U_v_1
-        minus_limb1_lower_rate_fx = 0.213 * minus_limb1_lower_U_still_xx
+        minus_limb1_lower_rate_fx = limb_lower_mx * minus_limb1_lower_U_still_xx
         limb1_lower_acc_x = limb1_lower_cos * limb1_U_0_acc_y
-        minus_limb1_lower_rate_fx_2 = minus_limb1_lower_rate_fx - 1.42 * limb1_lower_acc_x
-        limb1_lower_force_x = 1.42 * (limb1_P_a - (limb1_upper_offset_x * minus_limb1_lower_U_still_xx - limb1_lower_acc_x))
-        minus_limb1_lower_sent_fx = minus_limb1_lower_rate_fx_2 - (minus_limb1_lower_rate_fx + limb1_lower_force_x - multipliers_0)
+        minus_limb1_lower_rate_fx_2 = minus_limb1_lower_rate_fx - limb_lower_m * limb1_lower_acc_x
+        limb1_lower_force_x = (
+            limb_lower_m * (limb1_P_a - (limb1_upper_offset_x * minus_limb1_lower_U_still_xx - limb1_lower_acc_x))
+        )
+        minus_limb1_lower_sent_fx = (
+            minus_limb1_lower_rate_fx_2 - (minus_limb1_lower_rate_fx + limb1_lower_force_x - multipliers_0)
+        )
         limb1_lower_joint_sent_fy = t6 - limb1_lower_sin * minus_limb1_lower_sent_fx
         minus_limb1_lower_alpha_still_y = limb1_U_v_1 * limb1_lower_omega_x
         minus_limb1_lower_alpha_y = minus_limb1_lower_alpha_still_y - limb1_U_a_0 * limb1_lower_cos
         limb1_lower_U_zx = minus_limb1_lower_alpha_still_y + minus_limb1_lower_alpha_y
-        limb1_lower_rate_fz = 0.213 * limb1_lower_U_zx
+        limb1_lower_rate_fz = limb_lower_mx * limb1_lower_U_zx
         limb1_U_0_sin = np.sin(limb1_U_q_0)
-        limb1_lower_rate_fz_2 = limb1_lower_rate_fz + 13.9302 * limb1_U_0_sin
+        limb1_lower_rate_fz_2 = limb1_lower_rate_fz + limb_lower_m_gravity_z * limb1_U_0_sin
         t11 = limb1_P_v * (2.0 * limb1_lower_omega_y)
-        minus_limb1_upper_acc_z = t11 - (limb1_upper_offset_x * limb1_lower_U_zx + 9.81 * limb1_U_0_sin)
-        minus_limb1_upper_sent_fz = 1.42 * minus_limb1_upper_acc_z + limb1_lower_rate_fz + multipliers_2
+        minus_limb1_upper_acc_z = t11 - (limb1_upper_offset_x * limb1_lower_U_zx + gravity_z * limb1_U_0_sin)
+        minus_limb1_upper_sent_fz = limb_lower_m * minus_limb1_upper_acc_z + limb1_lower_rate_fz + multipliers_2
         limb1_lower_sent_fz = limb1_lower_rate_fz_2 - minus_limb1_upper_sent_fz
         t14 = limb1_U_0_cos * limb1_lower_sent_fz
-        minus_limb1_lower_joint_sent_fx = limb1_lower_cos * minus_limb1_lower_sent_fx + limb1_lower_sin * limb1_lower_sent_fy
+        minus_limb1_lower_joint_sent_fx = (
+            limb1_lower_cos * minus_limb1_lower_sent_fx + limb1_lower_sin * limb1_lower_sent_fy
+        )
         limb1_U_0_joint_sent_fx = t14 + limb1_U_0_sin * minus_limb1_lower_joint_sent_fx
-        limb1_U_0_joint_sent_fy = limb1_U_0_sin * limb1_lower_sent_fz - limb1_U_0_cos * minus_limb1_lower_joint_sent_fx
+        limb1_U_0_joint_sent_fy = (
+            limb1_U_0_sin * limb1_lower_sent_fz - limb1_U_0_cos * minus_limb1_lower_joint_sent_fx
+        )
         limb1_lower_alpha_still_x = limb1_U_v_1 * limb1_lower_omega_y
-        t20 = 0.0556 * (limb1_lower_alpha_still_x + limb1_U_a_0 * limb1_lower_sin)
-        limb1_upper_rate_mx = t20 - 0.02 * limb1_lower_alpha_still_x
+        t20 = k14 * (limb1_lower_alpha_still_x + limb1_U_a_0 * limb1_lower_sin)
+        limb1_upper_rate_mx = t20 - k15 * limb1_lower_alpha_still_x
         # limb5_S: geometry
         t22 = limb5_S_q_qw * limb5_S_q_qw
         t23 = limb5_S_q_qx * limb5_S_q_qx
@@ -10659,19 +11964,26 @@ def _forward_dynamics_reactions_wrenches(*arguments):
         limb1_upper_sent_mx = limb1_upper_rate_mx - minus_limb1_U2_joint_reaction_mx
         limb1_lower_sent_mx = limb1_upper_rate_mx + limb1_upper_sent_mx
         t39 = limb1_lower_sin * limb1_lower_sent_mx
-        limb1_upper_moment_y = 2.08953 * limb1_U_0_sin
-        t42 = 1.19195 * minus_limb1_lower_alpha_y + 1.11635 * minus_limb1_lower_alpha_still_y
+        limb1_upper_moment_y = gravity_z_limb_lower_mx * limb1_U_0_sin
+        t42 = k16 * minus_limb1_lower_alpha_y + k17 * minus_limb1_lower_alpha_still_y
         minus_limb1_lower_rate_my = limb1_upper_moment_y + t42
-        minus_limb1_upper_rate_my_2 = 0.213 * minus_limb1_upper_acc_z + t42
-        minus_limb1_lower_sent_my = minus_limb1_lower_rate_my + (minus_limb1_upper_rate_my_2 - limb1_upper_offset_x * minus_limb1_upper_sent_fz)
+        minus_limb1_upper_rate_my_2 = limb_lower_mx * minus_limb1_upper_acc_z + t42
+        minus_limb1_lower_sent_my = (
+            minus_limb1_lower_rate_my + (minus_limb1_upper_rate_my_2 - limb1_upper_offset_x *
+            minus_limb1_upper_sent_fz)
+        )
         limb1_lower_joint_sent_my = t39 - limb1_lower_cos * minus_limb1_lower_sent_my
-        t46 = 0.8 * limb1_U_0_joint_sent_fy
-        limb1_lower_joint_sent_mx = limb1_lower_cos * limb1_lower_sent_mx + limb1_lower_sin * minus_limb1_lower_sent_my
+        t46 = param_R * limb1_U_0_joint_sent_fy
+        limb1_lower_joint_sent_mx = (
+            limb1_lower_cos * limb1_lower_sent_mx + limb1_lower_sin * minus_limb1_lower_sent_my
+        )
         limb1_U_reactions_my = t46 - limb1_U_0_sin * limb1_lower_joint_sent_mx
-        limb1_U_reactions_mz = limb1_U_0_cos * limb1_lower_joint_sent_mx - 0.8 * limb1_U_0_joint_sent_fx
+        limb1_U_reactions_mz = limb1_U_0_cos * limb1_lower_joint_sent_mx - param_R * limb1_U_0_joint_sent_fx
         limb1_P_reactions_fx = limb1_lower_cos * limb1_upper_sent_fy
         limb1_lower_rotation_yy = limb1_U_0_sin * limb1_lower_sin
-        limb1_P_reactions_fy = limb1_lower_rotation_yy * limb1_upper_sent_fy - limb1_U_0_cos * minus_limb1_upper_sent_fz
+        limb1_P_reactions_fy = (
+            limb1_lower_rotation_yy * limb1_upper_sent_fy - limb1_U_0_cos * minus_limb1_upper_sent_fz
+        )
         minus_limb1_lower_rotation_zy = limb1_U_0_cos * limb1_lower_sin
         t56 = minus_limb1_lower_rotation_zy * limb1_upper_sent_fy + limb1_U_0_sin * minus_limb1_upper_sent_fz
         limb1_P_reactions_fz = -t56
@@ -10681,13 +11993,17 @@ def _forward_dynamics_reactions_wrenches(*arguments):
         limb1_lower_rotation_zx = limb1_U_0_cos * limb1_lower_cos
         limb1_upper_position_z = limb1_upper_offset_x * limb1_lower_rotation_zx
         t59 = t57 - limb1_upper_position_z * limb1_P_reactions_fy
-        limb1_P_reactions_mx = t59 - (limb1_lower_cos * minus_limb1_upper_rate_my_2 - limb1_lower_sin * limb1_upper_sent_mx)
+        limb1_P_reactions_mx = (
+            t59 - (limb1_lower_cos * minus_limb1_upper_rate_my_2 - limb1_lower_sin * limb1_upper_sent_mx)
+        )
         t63 = limb1_upper_position_z * limb1_P_reactions_fx
-        minus_limb1_upper_position_x = 0.8 - limb1_lower_sin * limb1_upper_offset_x
+        minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x
         t65 = t63 - minus_limb1_upper_position_x * t56
         t66 = limb1_lower_rotation_yy * minus_limb1_upper_rate_my_2
         t68 = t66 + minus_limb1_lower_rotation_yx * limb1_upper_sent_mx
-        minus_limb1_upper_rate_mz_2 = 0.213 * limb1_upper_acc_y - (1.17195 * limb1_U_a_1 + 1.13635 * limb1_lower_U_still_xy)
+        minus_limb1_upper_rate_mz_2 = (
+            limb_lower_mx * limb1_upper_acc_y - (k18 * limb1_U_a_1 + k19 * limb1_lower_U_still_xy)
+        )
         t75 = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy)
         t76 = limb5_S_q_qy * t30  # limb5_S
         t77 = limb5_S_q_qx * t76  # limb5_S
@@ -10719,72 +12035,91 @@ def _forward_dynamics_reactions_wrenches(*arguments):
         limb1_U2_reactions_mz = t115 - (t116 + limb1_U_0_sin * minus_limb1_U2_joint_reaction_mz)
         # limb2: geometry; accelerations; momentum rate, eq. (35)
         limb2_U_0_sin = np.cos(limb2_U_q_0)
-        t119 = 2.6179938779914944 + limb2_U_q_1
+        t119 = limb_lower_phase_2 + limb2_U_q_1
         limb2_lower_sin = np.sin(t119)
         limb2_lower_omega_x = limb2_U_v_0 * limb2_lower_sin
         minus_limb2_lower_alpha_still_y = limb2_U_v_1 * limb2_lower_omega_x
         limb2_lower_cos = np.cos(t119)
         minus_limb2_lower_alpha_y = minus_limb2_lower_alpha_still_y - limb2_U_a_0 * limb2_lower_cos
         limb2_lower_U_zx = minus_limb2_lower_alpha_still_y + minus_limb2_lower_alpha_y
-        limb2_lower_rate_fz = 0.213 * limb2_lower_U_zx
+        limb2_lower_rate_fz = limb_lower_mx * limb2_lower_U_zx
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
-        limb2_lower_rate_fz_2 = limb2_lower_rate_fz - 13.9302 * minus_limb2_U_0_cos
+        limb2_lower_rate_fz_2 = limb2_lower_rate_fz - limb_lower_m_gravity_z * minus_limb2_U_0_cos
         limb2_lower_omega_y = limb2_U_v_0 * limb2_lower_cos
         t121 = limb2_P_v * (2.0 * limb2_lower_omega_y)
-        limb2_upper_offset_x = 0.3 + limb2_P_q
-        minus_limb2_upper_acc_z = t121 - (limb2_upper_offset_x * limb2_lower_U_zx - 9.81 * minus_limb2_U_0_cos)
-        minus_limb2_upper_sent_fz = 1.42 * minus_limb2_upper_acc_z + limb2_lower_rate_fz + multipliers_6
+        limb2_upper_offset_x = limb_upper_phase + limb2_P_q
+        minus_limb2_upper_acc_z = t121 - (limb2_upper_offset_x * limb2_lower_U_zx - gravity_z * minus_limb2_U_0_cos)
+        minus_limb2_upper_sent_fz = limb_lower_m * minus_limb2_upper_acc_z + limb2_lower_rate_fz + multipliers_6
         limb2_lower_sent_fz = limb2_lower_rate_fz_2 - minus_limb2_upper_sent_fz
         t124 = limb2_U_0_sin * limb2_lower_sent_fz
         minus_limb2_lower_U_still_xx = limb2_lower_omega_y * limb2_lower_omega_y + limb2_U_v_1 * limb2_U_v_1
-        minus_limb2_lower_rate_fx = 0.213 * minus_limb2_lower_U_still_xx
-        minus_limb2_U_0_acc_y = 9.81 * limb2_U_0_sin
+        minus_limb2_lower_rate_fx = limb_lower_mx * minus_limb2_lower_U_still_xx
+        minus_limb2_U_0_acc_y = gravity_z * limb2_U_0_sin
         minus_limb2_lower_acc_x = limb2_lower_cos * minus_limb2_U_0_acc_y
-        minus_limb2_lower_rate_fx_2 = minus_limb2_lower_rate_fx + 1.42 * minus_limb2_lower_acc_x
-        limb2_lower_force_x = 1.42 * (limb2_P_a - (limb2_upper_offset_x * minus_limb2_lower_U_still_xx + minus_limb2_lower_acc_x))
-        minus_limb2_lower_sent_fx = minus_limb2_lower_rate_fx_2 - (minus_limb2_lower_rate_fx + limb2_lower_force_x - multipliers_4)
+        minus_limb2_lower_rate_fx_2 = minus_limb2_lower_rate_fx + limb_lower_m * minus_limb2_lower_acc_x
+        limb2_lower_force_x = (
+            limb_lower_m * (limb2_P_a - (limb2_upper_offset_x * minus_limb2_lower_U_still_xx +
+            minus_limb2_lower_acc_x))
+        )
+        minus_limb2_lower_sent_fx = (
+            minus_limb2_lower_rate_fx_2 - (minus_limb2_lower_rate_fx + limb2_lower_force_x - multipliers_4)
+        )
         t127 = limb2_lower_cos * minus_limb2_lower_sent_fx
         limb2_lower_U_still_xy = limb2_lower_omega_x * limb2_lower_omega_y
         limb2_lower_U_yx = limb2_U_a_1 + limb2_lower_U_still_xy
-        limb2_lower_rate_fy = 0.213 * limb2_lower_U_yx
+        limb2_lower_rate_fy = limb_lower_mx * limb2_lower_U_yx
         limb2_lower_acc_y = limb2_lower_sin * minus_limb2_U_0_acc_y
-        limb2_lower_rate_fy_2 = limb2_lower_rate_fy + 1.42 * limb2_lower_acc_y
-        limb2_upper_acc_y = limb2_P_v * (2.0 * limb2_U_v_1) + (limb2_upper_offset_x * limb2_lower_U_yx + limb2_lower_acc_y)
+        limb2_lower_rate_fy_2 = limb2_lower_rate_fy + limb_lower_m * limb2_lower_acc_y
+        limb2_upper_acc_y = (
+            limb2_P_v * (2.0 * limb2_U_v_1) + (limb2_upper_offset_x * limb2_lower_U_yx + limb2_lower_acc_y)
+        )
         # limb2: balance, eqs. (40)-(47); reactions, eq. (32); momentum rate, eq. (35)
-        limb2_upper_sent_fy = 1.42 * limb2_upper_acc_y - limb2_lower_rate_fy - multipliers_5
+        limb2_upper_sent_fy = limb_lower_m * limb2_upper_acc_y - limb2_lower_rate_fy - multipliers_5
         limb2_lower_sent_fy = limb2_lower_rate_fy_2 + limb2_upper_sent_fy
         minus_limb2_lower_joint_sent_fx = t127 + limb2_lower_sin * limb2_lower_sent_fy
         limb2_U_0_joint_sent_fy = t124 + minus_limb2_U_0_cos * minus_limb2_lower_joint_sent_fx
-        limb2_lower_joint_sent_fy = limb2_lower_cos * limb2_lower_sent_fy - limb2_lower_sin * minus_limb2_lower_sent_fx
-        minus_limb2_U_0_joint_sent_fx = minus_limb2_U_0_cos * limb2_lower_sent_fz - limb2_U_0_sin * minus_limb2_lower_joint_sent_fx
+        limb2_lower_joint_sent_fy = (
+            limb2_lower_cos * limb2_lower_sent_fy - limb2_lower_sin * minus_limb2_lower_sent_fx
+        )
+        minus_limb2_U_0_joint_sent_fx = (
+            minus_limb2_U_0_cos * limb2_lower_sent_fz - limb2_U_0_sin * minus_limb2_lower_joint_sent_fx
+        )
         limb2_U_0_joint_sent_fx = -minus_limb2_U_0_joint_sent_fx
-        t138 = 0.8 * minus_limb2_U_0_joint_sent_fx
+        t138 = param_R * minus_limb2_U_0_joint_sent_fx
         limb2_lower_alpha_still_x = limb2_U_v_1 * limb2_lower_omega_y
-        t139 = 0.0556 * (limb2_lower_alpha_still_x + limb2_U_a_0 * limb2_lower_sin)
-        limb2_upper_rate_mx = t139 - 0.02 * limb2_lower_alpha_still_x
+        t139 = k14 * (limb2_lower_alpha_still_x + limb2_U_a_0 * limb2_lower_sin)
+        limb2_upper_rate_mx = t139 - k15 * limb2_lower_alpha_still_x
         limb2_lower_sent_mx = 2.0 * limb2_upper_rate_mx
         t141 = limb2_lower_cos * limb2_lower_sent_mx
-        minus_limb2_upper_moment_y = 2.08953 * minus_limb2_U_0_cos
-        t144 = 1.19195 * minus_limb2_lower_alpha_y + 1.11635 * minus_limb2_lower_alpha_still_y
+        minus_limb2_upper_moment_y = gravity_z_limb_lower_mx * minus_limb2_U_0_cos
+        t144 = k16 * minus_limb2_lower_alpha_y + k17 * minus_limb2_lower_alpha_still_y
         limb2_lower_rate_my = minus_limb2_upper_moment_y - t144
-        minus_limb2_upper_rate_my_2 = 0.213 * minus_limb2_upper_acc_z + t144
-        limb2_lower_sent_my = limb2_lower_rate_my - (minus_limb2_upper_rate_my_2 - limb2_upper_offset_x * minus_limb2_upper_sent_fz)
+        minus_limb2_upper_rate_my_2 = limb_lower_mx * minus_limb2_upper_acc_z + t144
+        limb2_lower_sent_my = (
+            limb2_lower_rate_my - (minus_limb2_upper_rate_my_2 - limb2_upper_offset_x * minus_limb2_upper_sent_fz)
+        )
         limb2_lower_joint_sent_mx = t141 - limb2_lower_sin * limb2_lower_sent_my
         limb2_U_reactions_mx = t138 - minus_limb2_U_0_cos * limb2_lower_joint_sent_mx
         limb2_lower_joint_sent_my = limb2_lower_sin * limb2_lower_sent_mx + limb2_lower_cos * limb2_lower_sent_my
-        limb2_U_reactions_mz = 0.8 * limb2_U_0_joint_sent_fy - limb2_U_0_sin * limb2_lower_joint_sent_mx
+        limb2_U_reactions_mz = param_R * limb2_U_0_joint_sent_fy - limb2_U_0_sin * limb2_lower_joint_sent_mx
         limb2_lower_rotation_xy = minus_limb2_U_0_cos * limb2_lower_sin
-        limb2_P_reactions_fx = limb2_lower_rotation_xy * limb2_upper_sent_fy - limb2_U_0_sin * minus_limb2_upper_sent_fz
+        limb2_P_reactions_fx = (
+            limb2_lower_rotation_xy * limb2_upper_sent_fy - limb2_U_0_sin * minus_limb2_upper_sent_fz
+        )
         limb2_P_reactions_fy = limb2_lower_cos * limb2_upper_sent_fy
         limb2_lower_rotation_zy = limb2_U_0_sin * limb2_lower_sin
-        limb2_P_reactions_fz = limb2_lower_rotation_zy * limb2_upper_sent_fy + minus_limb2_U_0_cos * minus_limb2_upper_sent_fz
+        limb2_P_reactions_fz = (
+            limb2_lower_rotation_zy * limb2_upper_sent_fy + minus_limb2_U_0_cos * minus_limb2_upper_sent_fz
+        )
         minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos
         # limb2: reactions, eq. (32); momentum rate, eq. (35); geometry
         t157 = minus_limb2_lower_rotation_xx * limb2_upper_rate_mx
         t159 = t157 + limb2_lower_rotation_xy * minus_limb2_upper_rate_my_2
-        minus_limb2_upper_rate_mz_2 = 0.213 * limb2_upper_acc_y - (1.17195 * limb2_U_a_1 + 1.13635 * limb2_lower_U_still_xy)
+        minus_limb2_upper_rate_mz_2 = (
+            limb_lower_mx * limb2_upper_acc_y - (k18 * limb2_U_a_1 + k19 * limb2_lower_U_still_xy)
+        )
         t164 = t159 + limb2_U_0_sin * minus_limb2_upper_rate_mz_2
-        minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
+        minus_limb2_upper_position_y = param_R - limb2_lower_sin * limb2_upper_offset_x
         t165 = minus_limb2_upper_position_y * limb2_P_reactions_fz
         minus_limb2_lower_rotation_zx = limb2_U_0_sin * limb2_lower_cos
         minus_limb2_upper_position_z = limb2_upper_offset_x * minus_limb2_lower_rotation_zx
@@ -10806,76 +12141,99 @@ def _forward_dynamics_reactions_wrenches(*arguments):
         t191 = limb2_lower_sin * multipliers_4 + limb2_lower_cos * multipliers_5
         limb2_S_reactions_fy = -t191
         t192 = minus_limb2_U_0_cos * multipliers_6
-        limb2_S_reactions_fz = t192 + (minus_limb2_lower_rotation_zx * multipliers_4 - limb2_lower_rotation_zy * multipliers_5)
+        limb2_S_reactions_fz = (
+            t192 + (minus_limb2_lower_rotation_zx * multipliers_4 - limb2_lower_rotation_zy * multipliers_5)
+        )
         t198 = minus_limb2_upper_position_y * limb2_S_reactions_fz + minus_limb2_upper_position_z * t191
         limb2_S_reactions_mx = -t198
-        limb2_S_reactions_my = minus_limb2_upper_position_z * t188 + minus_limb2_upper_position_x * limb2_S_reactions_fz
+        limb2_S_reactions_my = (
+            minus_limb2_upper_position_z * t188 + minus_limb2_upper_position_x * limb2_S_reactions_fz
+        )
         limb2_S_reactions_mz = minus_limb2_upper_position_x * t191 - minus_limb2_upper_position_y * t188
         # limb3: geometry; accelerations; momentum rate, eq. (35)
-        t203 = 0.5235987755982989 - limb3_U_q_1
+        t203 = limb_lower_phase - limb3_U_q_1
         minus_limb3_lower_sin = np.sin(t203)
         limb3_lower_cos = np.cos(t203)
         limb3_lower_omega_y = limb3_U_v_0 * limb3_lower_cos
         minus_limb3_lower_U_still_xx = limb3_lower_omega_y * limb3_lower_omega_y + limb3_U_v_1 * limb3_U_v_1
-        minus_limb3_lower_rate_fx = 0.213 * minus_limb3_lower_U_still_xx
+        minus_limb3_lower_rate_fx = limb_lower_mx * minus_limb3_lower_U_still_xx
         limb3_U_0_cos = np.cos(limb3_U_q_0)
-        limb3_U_0_acc_y = 9.81 * limb3_U_0_cos
+        limb3_U_0_acc_y = gravity_z * limb3_U_0_cos
         limb3_lower_acc_x = limb3_lower_cos * limb3_U_0_acc_y
-        minus_limb3_lower_rate_fx_2 = minus_limb3_lower_rate_fx - 1.42 * limb3_lower_acc_x
-        limb3_upper_offset_x = 0.3 + limb3_P_q
-        limb3_lower_force_x = 1.42 * (limb3_P_a - (limb3_upper_offset_x * minus_limb3_lower_U_still_xx - limb3_lower_acc_x))
-        minus_limb3_lower_sent_fx = minus_limb3_lower_rate_fx_2 - (minus_limb3_lower_rate_fx + limb3_lower_force_x - multipliers_7)
+        minus_limb3_lower_rate_fx_2 = minus_limb3_lower_rate_fx - limb_lower_m * limb3_lower_acc_x
+        limb3_upper_offset_x = limb_upper_phase + limb3_P_q
+        limb3_lower_force_x = (
+            limb_lower_m * (limb3_P_a - (limb3_upper_offset_x * minus_limb3_lower_U_still_xx - limb3_lower_acc_x))
+        )
+        minus_limb3_lower_sent_fx = (
+            minus_limb3_lower_rate_fx_2 - (minus_limb3_lower_rate_fx + limb3_lower_force_x - multipliers_7)
+        )
         t206 = minus_limb3_lower_sin * minus_limb3_lower_sent_fx
         minus_limb3_lower_omega_x = limb3_U_v_0 * minus_limb3_lower_sin
         minus_limb3_lower_U_still_xy = minus_limb3_lower_omega_x * limb3_lower_omega_y
         limb3_lower_U_yx = limb3_U_a_1 - minus_limb3_lower_U_still_xy
-        limb3_lower_rate_fy = 0.213 * limb3_lower_U_yx
+        limb3_lower_rate_fy = limb_lower_mx * limb3_lower_U_yx
         limb3_lower_acc_y = minus_limb3_lower_sin * limb3_U_0_acc_y
-        limb3_lower_rate_fy_2 = limb3_lower_rate_fy + 1.42 * limb3_lower_acc_y
-        limb3_upper_acc_y = limb3_P_v * (2.0 * limb3_U_v_1) + (limb3_upper_offset_x * limb3_lower_U_yx + limb3_lower_acc_y)
-        limb3_upper_sent_fy = 1.42 * limb3_upper_acc_y - limb3_lower_rate_fy - multipliers_8
+        limb3_lower_rate_fy_2 = limb3_lower_rate_fy + limb_lower_m * limb3_lower_acc_y
+        limb3_upper_acc_y = (
+            limb3_P_v * (2.0 * limb3_U_v_1) + (limb3_upper_offset_x * limb3_lower_U_yx + limb3_lower_acc_y)
+        )
+        limb3_upper_sent_fy = limb_lower_m * limb3_upper_acc_y - limb3_lower_rate_fy - multipliers_8
         limb3_lower_sent_fy = limb3_lower_rate_fy_2 + limb3_upper_sent_fy
         limb3_lower_joint_sent_fy = t206 + limb3_lower_cos * limb3_lower_sent_fy
         limb3_lower_alpha_still_y = limb3_U_v_1 * minus_limb3_lower_omega_x
         limb3_lower_alpha_y = limb3_lower_alpha_still_y + limb3_U_a_0 * limb3_lower_cos
         minus_limb3_lower_U_zx = limb3_lower_alpha_still_y + limb3_lower_alpha_y
-        minus_limb3_lower_rate_fz = 0.213 * minus_limb3_lower_U_zx
+        minus_limb3_lower_rate_fz = limb_lower_mx * minus_limb3_lower_U_zx
         limb3_U_0_sin = np.sin(limb3_U_q_0)
-        minus_limb3_lower_rate_fz_2 = minus_limb3_lower_rate_fz - 13.9302 * limb3_U_0_sin
+        minus_limb3_lower_rate_fz_2 = minus_limb3_lower_rate_fz - limb_lower_m_gravity_z * limb3_U_0_sin
         t213 = limb3_P_v * (2.0 * limb3_lower_omega_y)
-        minus_limb3_upper_acc_z = t213 + (limb3_upper_offset_x * minus_limb3_lower_U_zx - 9.81 * limb3_U_0_sin)
+        minus_limb3_upper_acc_z = t213 + (limb3_upper_offset_x * minus_limb3_lower_U_zx - gravity_z * limb3_U_0_sin)
         # limb3: balance, eqs. (40)-(47); accelerations; momentum rate, eq. (35)
-        minus_limb3_upper_sent_fz = 1.42 * minus_limb3_upper_acc_z - minus_limb3_lower_rate_fz + multipliers_9
+        minus_limb3_upper_sent_fz = (
+            limb_lower_m * minus_limb3_upper_acc_z - minus_limb3_lower_rate_fz + multipliers_9
+        )
         minus_limb3_lower_sent_fz = minus_limb3_lower_rate_fz_2 + minus_limb3_upper_sent_fz
         t216 = limb3_U_0_cos * minus_limb3_lower_sent_fz
-        minus_limb3_lower_joint_sent_fx = limb3_lower_cos * minus_limb3_lower_sent_fx - minus_limb3_lower_sin * limb3_lower_sent_fy
+        minus_limb3_lower_joint_sent_fx = (
+            limb3_lower_cos * minus_limb3_lower_sent_fx - minus_limb3_lower_sin * limb3_lower_sent_fy
+        )
         minus_limb3_U_0_joint_sent_fx = t216 - limb3_U_0_sin * minus_limb3_lower_joint_sent_fx
         limb3_U_0_joint_sent_fx = -minus_limb3_U_0_joint_sent_fx
-        minus_limb3_U_0_joint_sent_fy = limb3_U_0_sin * minus_limb3_lower_sent_fz + limb3_U_0_cos * minus_limb3_lower_joint_sent_fx
+        minus_limb3_U_0_joint_sent_fy = (
+            limb3_U_0_sin * minus_limb3_lower_sent_fz + limb3_U_0_cos * minus_limb3_lower_joint_sent_fx
+        )
         limb3_U_0_joint_sent_fy = -minus_limb3_U_0_joint_sent_fy
         limb3_lower_alpha_still_x = limb3_U_v_1 * limb3_lower_omega_y
-        t222 = 0.0556 * (limb3_lower_alpha_still_x - limb3_U_a_0 * minus_limb3_lower_sin)
-        limb3_upper_rate_mx = t222 - 0.02 * limb3_lower_alpha_still_x
+        t222 = k14 * (limb3_lower_alpha_still_x - limb3_U_a_0 * minus_limb3_lower_sin)
+        limb3_upper_rate_mx = t222 - k15 * limb3_lower_alpha_still_x
         limb3_lower_sent_mx = 2.0 * limb3_upper_rate_mx
         t224 = minus_limb3_lower_sin * limb3_lower_sent_mx
-        limb3_upper_moment_y = 2.08953 * limb3_U_0_sin
-        t227 = 1.19195 * limb3_lower_alpha_y + 1.11635 * limb3_lower_alpha_still_y
+        limb3_upper_moment_y = gravity_z_limb_lower_mx * limb3_U_0_sin
+        t227 = k16 * limb3_lower_alpha_y + k17 * limb3_lower_alpha_still_y
         minus_limb3_lower_rate_my = limb3_upper_moment_y - t227
-        minus_limb3_upper_rate_my_2 = 0.213 * minus_limb3_upper_acc_z - t227
-        minus_limb3_lower_sent_my = minus_limb3_lower_rate_my + (minus_limb3_upper_rate_my_2 - limb3_upper_offset_x * minus_limb3_upper_sent_fz)
+        minus_limb3_upper_rate_my_2 = limb_lower_mx * minus_limb3_upper_acc_z - t227
+        minus_limb3_lower_sent_my = (
+            minus_limb3_lower_rate_my + (minus_limb3_upper_rate_my_2 - limb3_upper_offset_x *
+            minus_limb3_upper_sent_fz)
+        )
         minus_limb3_lower_joint_sent_my = t224 + limb3_lower_cos * minus_limb3_lower_sent_my
         limb3_lower_joint_sent_my = -minus_limb3_lower_joint_sent_my
         # limb3: reactions, eq. (32); balance, eqs. (40)-(47); geometry
-        t231 = 0.8 * minus_limb3_U_0_joint_sent_fy
-        limb3_lower_joint_sent_mx = limb3_lower_cos * limb3_lower_sent_mx - minus_limb3_lower_sin * minus_limb3_lower_sent_my
+        t231 = param_R * minus_limb3_U_0_joint_sent_fy
+        limb3_lower_joint_sent_mx = (
+            limb3_lower_cos * limb3_lower_sent_mx - minus_limb3_lower_sin * minus_limb3_lower_sent_my
+        )
         limb3_U_reactions_my = t231 - limb3_U_0_sin * limb3_lower_joint_sent_mx
-        limb3_U_reactions_mz = limb3_U_0_cos * limb3_lower_joint_sent_mx - 0.8 * minus_limb3_U_0_joint_sent_fx
+        limb3_U_reactions_mz = limb3_U_0_cos * limb3_lower_joint_sent_mx - param_R * minus_limb3_U_0_joint_sent_fx
         limb3_P_reactions_fx = limb3_lower_cos * limb3_upper_sent_fy
         minus_limb3_lower_rotation_yy = limb3_U_0_sin * minus_limb3_lower_sin
         t239 = minus_limb3_lower_rotation_yy * limb3_upper_sent_fy + limb3_U_0_cos * minus_limb3_upper_sent_fz
         limb3_P_reactions_fy = -t239
         limb3_lower_rotation_zy = limb3_U_0_cos * minus_limb3_lower_sin
-        limb3_P_reactions_fz = limb3_lower_rotation_zy * limb3_upper_sent_fy - limb3_U_0_sin * minus_limb3_upper_sent_fz
+        limb3_P_reactions_fz = (
+            limb3_lower_rotation_zy * limb3_upper_sent_fy - limb3_U_0_sin * minus_limb3_upper_sent_fz
+        )
         t244 = minus_limb3_lower_sin * limb3_upper_rate_mx + limb3_lower_cos * minus_limb3_upper_rate_my_2
         minus_limb3_lower_rotation_yx = limb3_U_0_sin * limb3_lower_cos
         minus_limb3_upper_position_y = limb3_upper_offset_x * minus_limb3_lower_rotation_yx
@@ -10885,16 +12243,20 @@ def _forward_dynamics_reactions_wrenches(*arguments):
         t248 = t244 + (t245 - limb3_upper_position_z * t239)
         limb3_P_reactions_mx = -t248
         t249 = limb3_upper_position_z * limb3_P_reactions_fx
-        limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
+        limb3_upper_position_x = param_R - minus_limb3_lower_sin * limb3_upper_offset_x
         t251 = t249 - limb3_upper_position_x * limb3_P_reactions_fz
         t252 = minus_limb3_lower_rotation_yx * limb3_upper_rate_mx
         t254 = t252 - minus_limb3_lower_rotation_yy * minus_limb3_upper_rate_my_2
-        minus_limb3_upper_rate_mz_2 = 0.213 * limb3_upper_acc_y - (1.17195 * limb3_U_a_1 - 1.13635 * minus_limb3_lower_U_still_xy)
+        minus_limb3_upper_rate_mz_2 = (
+            limb_lower_mx * limb3_upper_acc_y - (k18 * limb3_U_a_1 - k19 * minus_limb3_lower_U_still_xy)
+        )
         limb3_P_reactions_my = t251 - (t254 + limb3_U_0_cos * minus_limb3_upper_rate_mz_2)
         t260 = limb3_lower_rotation_zx * limb3_upper_rate_mx
         t262 = t260 - limb3_lower_rotation_zy * minus_limb3_upper_rate_my_2
         t264 = t262 - limb3_U_0_sin * minus_limb3_upper_rate_mz_2
-        limb3_P_reactions_mz = t264 - (limb3_upper_position_x * t239 - minus_limb3_upper_position_y * limb3_P_reactions_fx)
+        limb3_P_reactions_mz = (
+            t264 - (limb3_upper_position_x * t239 - minus_limb3_upper_position_y * limb3_P_reactions_fx)
+        )
         limb3_S_reactions_fx = minus_limb3_lower_sin * multipliers_7 - limb3_lower_cos * multipliers_8
         t270 = limb3_U_0_cos * multipliers_9
         t273 = minus_limb3_lower_rotation_yx * multipliers_7 + minus_limb3_lower_rotation_yy * multipliers_8
@@ -10908,64 +12270,79 @@ def _forward_dynamics_reactions_wrenches(*arguments):
         limb3_S_reactions_mz = minus_limb3_upper_position_y * limb3_S_reactions_fx - limb3_upper_position_x * t274
         # limb4: geometry; accelerations; momentum rate, eq. (35)
         limb4_U_0_sin = np.cos(limb4_U_q_0)
-        t286 = 2.6179938779914944 - limb4_U_q_1
+        t286 = limb_lower_phase_2 - limb4_U_q_1
         minus_limb4_lower_sin = np.sin(t286)
         minus_limb4_lower_omega_x = limb4_U_v_0 * minus_limb4_lower_sin
         limb4_lower_alpha_still_y = limb4_U_v_1 * minus_limb4_lower_omega_x
         limb4_lower_cos = np.cos(t286)
         limb4_lower_alpha_y = limb4_lower_alpha_still_y + limb4_U_a_0 * limb4_lower_cos
         minus_limb4_lower_U_zx = limb4_lower_alpha_still_y + limb4_lower_alpha_y
-        minus_limb4_lower_rate_fz = 0.213 * minus_limb4_lower_U_zx
+        minus_limb4_lower_rate_fz = limb_lower_mx * minus_limb4_lower_U_zx
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
-        minus_limb4_lower_rate_fz_2 = minus_limb4_lower_rate_fz + 13.9302 * minus_limb4_U_0_cos
+        minus_limb4_lower_rate_fz_2 = minus_limb4_lower_rate_fz + limb_lower_m_gravity_z * minus_limb4_U_0_cos
         limb4_lower_omega_y = limb4_U_v_0 * limb4_lower_cos
         t288 = limb4_P_v * (2.0 * limb4_lower_omega_y)
-        limb4_upper_offset_x = 0.3 + limb4_P_q
-        minus_limb4_upper_acc_z = t288 + (limb4_upper_offset_x * minus_limb4_lower_U_zx + 9.81 * minus_limb4_U_0_cos)
-        minus_limb4_upper_sent_fz = 1.42 * minus_limb4_upper_acc_z - minus_limb4_lower_rate_fz + multipliers_12
+        limb4_upper_offset_x = limb_upper_phase + limb4_P_q
+        minus_limb4_upper_acc_z = (
+            t288 + (limb4_upper_offset_x * minus_limb4_lower_U_zx + gravity_z * minus_limb4_U_0_cos)
+        )
+        minus_limb4_upper_sent_fz = (
+            limb_lower_m * minus_limb4_upper_acc_z - minus_limb4_lower_rate_fz + multipliers_12
+        )
         minus_limb4_lower_sent_fz = minus_limb4_lower_rate_fz_2 + minus_limb4_upper_sent_fz
         t291 = limb4_U_0_sin * minus_limb4_lower_sent_fz
         minus_limb4_lower_U_still_xx = limb4_lower_omega_y * limb4_lower_omega_y + limb4_U_v_1 * limb4_U_v_1
-        minus_limb4_lower_rate_fx = 0.213 * minus_limb4_lower_U_still_xx
-        minus_limb4_U_0_acc_y = 9.81 * limb4_U_0_sin
+        minus_limb4_lower_rate_fx = limb_lower_mx * minus_limb4_lower_U_still_xx
+        minus_limb4_U_0_acc_y = gravity_z * limb4_U_0_sin
         minus_limb4_lower_acc_x = limb4_lower_cos * minus_limb4_U_0_acc_y
-        minus_limb4_lower_rate_fx_2 = minus_limb4_lower_rate_fx + 1.42 * minus_limb4_lower_acc_x
-        limb4_lower_force_x = 1.42 * (limb4_P_a - (limb4_upper_offset_x * minus_limb4_lower_U_still_xx + minus_limb4_lower_acc_x))
-        minus_limb4_lower_sent_fx = minus_limb4_lower_rate_fx_2 - (minus_limb4_lower_rate_fx + limb4_lower_force_x - multipliers_10)
+        minus_limb4_lower_rate_fx_2 = minus_limb4_lower_rate_fx + limb_lower_m * minus_limb4_lower_acc_x
+        limb4_lower_force_x = (
+            limb_lower_m * (limb4_P_a - (limb4_upper_offset_x * minus_limb4_lower_U_still_xx +
+            minus_limb4_lower_acc_x))
+        )
+        minus_limb4_lower_sent_fx = (
+            minus_limb4_lower_rate_fx_2 - (minus_limb4_lower_rate_fx + limb4_lower_force_x - multipliers_10)
+        )
         t294 = limb4_lower_cos * minus_limb4_lower_sent_fx
         minus_limb4_lower_U_still_xy = minus_limb4_lower_omega_x * limb4_lower_omega_y
         limb4_lower_U_yx = limb4_U_a_1 - minus_limb4_lower_U_still_xy
-        limb4_lower_rate_fy = 0.213 * limb4_lower_U_yx
+        limb4_lower_rate_fy = limb_lower_mx * limb4_lower_U_yx
         minus_limb4_lower_acc_y = minus_limb4_lower_sin * minus_limb4_U_0_acc_y
-        limb4_lower_rate_fy_2 = limb4_lower_rate_fy - 1.42 * minus_limb4_lower_acc_y
+        limb4_lower_rate_fy_2 = limb4_lower_rate_fy - limb_lower_m * minus_limb4_lower_acc_y
         t296 = limb4_P_v * (2.0 * limb4_U_v_1)
         limb4_upper_acc_y = t296 + (limb4_upper_offset_x * limb4_lower_U_yx - minus_limb4_lower_acc_y)
         # limb4: balance, eqs. (40)-(47); reactions, eq. (32); momentum rate, eq. (35)
-        limb4_upper_sent_fy = 1.42 * limb4_upper_acc_y - limb4_lower_rate_fy - multipliers_11
+        limb4_upper_sent_fy = limb_lower_m * limb4_upper_acc_y - limb4_lower_rate_fy - multipliers_11
         limb4_lower_sent_fy = limb4_lower_rate_fy_2 + limb4_upper_sent_fy
         minus_limb4_lower_joint_sent_fx = t294 - minus_limb4_lower_sin * limb4_lower_sent_fy
         minus_limb4_U_0_joint_sent_fy = t291 - minus_limb4_U_0_cos * minus_limb4_lower_joint_sent_fx
         limb4_U_0_joint_sent_fy = -minus_limb4_U_0_joint_sent_fy
-        limb4_lower_joint_sent_fy = minus_limb4_lower_sin * minus_limb4_lower_sent_fx + limb4_lower_cos * limb4_lower_sent_fy
+        limb4_lower_joint_sent_fy = (
+            minus_limb4_lower_sin * minus_limb4_lower_sent_fx + limb4_lower_cos * limb4_lower_sent_fy
+        )
         t303 = minus_limb4_U_0_cos * minus_limb4_lower_sent_fz
         limb4_U_0_joint_sent_fx = t303 + limb4_U_0_sin * minus_limb4_lower_joint_sent_fx
-        t305 = 0.8 * limb4_U_0_joint_sent_fx
+        t305 = param_R * limb4_U_0_joint_sent_fx
         limb4_lower_alpha_still_x = limb4_U_v_1 * limb4_lower_omega_y
-        t306 = 0.0556 * (limb4_lower_alpha_still_x - limb4_U_a_0 * minus_limb4_lower_sin)
-        limb4_upper_rate_mx = t306 - 0.02 * limb4_lower_alpha_still_x
+        t306 = k14 * (limb4_lower_alpha_still_x - limb4_U_a_0 * minus_limb4_lower_sin)
+        limb4_upper_rate_mx = t306 - k15 * limb4_lower_alpha_still_x
         limb4_lower_sent_mx = 2.0 * limb4_upper_rate_mx
         t308 = limb4_lower_cos * limb4_lower_sent_mx
-        minus_limb4_upper_moment_y = 2.08953 * minus_limb4_U_0_cos
-        t311 = 1.19195 * limb4_lower_alpha_y + 1.11635 * limb4_lower_alpha_still_y
+        minus_limb4_upper_moment_y = gravity_z_limb_lower_mx * minus_limb4_U_0_cos
+        t311 = k16 * limb4_lower_alpha_y + k17 * limb4_lower_alpha_still_y
         limb4_lower_rate_my = minus_limb4_upper_moment_y + t311
-        minus_limb4_upper_rate_my_2 = 0.213 * minus_limb4_upper_acc_z - t311
-        limb4_lower_sent_my = limb4_lower_rate_my - (minus_limb4_upper_rate_my_2 - limb4_upper_offset_x * minus_limb4_upper_sent_fz)
+        minus_limb4_upper_rate_my_2 = limb_lower_mx * minus_limb4_upper_acc_z - t311
+        limb4_lower_sent_my = (
+            limb4_lower_rate_my - (minus_limb4_upper_rate_my_2 - limb4_upper_offset_x * minus_limb4_upper_sent_fz)
+        )
         limb4_lower_joint_sent_mx = t308 + minus_limb4_lower_sin * limb4_lower_sent_my
         # limb4: reactions, eq. (32); balance, eqs. (40)-(47); geometry
         limb4_U_reactions_mx = t305 - minus_limb4_U_0_cos * limb4_lower_joint_sent_mx
-        minus_limb4_lower_joint_sent_my = minus_limb4_lower_sin * limb4_lower_sent_mx - limb4_lower_cos * limb4_lower_sent_my
+        minus_limb4_lower_joint_sent_my = (
+            minus_limb4_lower_sin * limb4_lower_sent_mx - limb4_lower_cos * limb4_lower_sent_my
+        )
         limb4_lower_joint_sent_my = -minus_limb4_lower_joint_sent_my
-        limb4_U_reactions_mz = 0.8 * minus_limb4_U_0_joint_sent_fy - limb4_U_0_sin * limb4_lower_joint_sent_mx
+        limb4_U_reactions_mz = param_R * minus_limb4_U_0_joint_sent_fy - limb4_U_0_sin * limb4_lower_joint_sent_mx
         minus_limb4_lower_rotation_xy = minus_limb4_U_0_cos * minus_limb4_lower_sin
         t322 = minus_limb4_lower_rotation_xy * limb4_upper_sent_fy + limb4_U_0_sin * minus_limb4_upper_sent_fz
         limb4_P_reactions_fx = -t322
@@ -10977,9 +12354,11 @@ def _forward_dynamics_reactions_wrenches(*arguments):
         minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos
         t326 = minus_limb4_lower_rotation_xx * limb4_upper_rate_mx
         t328 = t326 - minus_limb4_lower_rotation_xy * minus_limb4_upper_rate_my_2
-        minus_limb4_upper_rate_mz_2 = 0.213 * limb4_upper_acc_y - (1.17195 * limb4_U_a_1 - 1.13635 * minus_limb4_lower_U_still_xy)
+        minus_limb4_upper_rate_mz_2 = (
+            limb_lower_mx * limb4_upper_acc_y - (k18 * limb4_U_a_1 - k19 * minus_limb4_lower_U_still_xy)
+        )
         t333 = t328 + limb4_U_0_sin * minus_limb4_upper_rate_mz_2
-        limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
+        limb4_upper_position_y = param_R - minus_limb4_lower_sin * limb4_upper_offset_x
         t334 = limb4_upper_position_y * t325
         minus_limb4_lower_rotation_zx = limb4_U_0_sin * limb4_lower_cos
         minus_limb4_upper_position_z = limb4_upper_offset_x * minus_limb4_lower_rotation_zx
@@ -10988,7 +12367,9 @@ def _forward_dynamics_reactions_wrenches(*arguments):
         t338 = minus_limb4_upper_position_z * t322
         minus_limb4_upper_position_x = limb4_upper_offset_x * minus_limb4_lower_rotation_xx
         t340 = t338 - minus_limb4_upper_position_x * t325
-        limb4_P_reactions_my = t340 - (minus_limb4_lower_sin * limb4_upper_rate_mx + limb4_lower_cos * minus_limb4_upper_rate_my_2)
+        limb4_P_reactions_my = (
+            t340 - (minus_limb4_lower_sin * limb4_upper_rate_mx + limb4_lower_cos * minus_limb4_upper_rate_my_2)
+        )
         t344 = minus_limb4_lower_rotation_zx * limb4_upper_rate_mx
         t346 = t344 - minus_limb4_lower_rotation_zy * minus_limb4_upper_rate_my_2
         t348 = t346 - minus_limb4_U_0_cos * minus_limb4_upper_rate_mz_2
@@ -11004,23 +12385,26 @@ def _forward_dynamics_reactions_wrenches(*arguments):
         limb4_S_reactions_fz = t360 + t363
         t364 = limb4_upper_position_y * limb4_S_reactions_fz
         limb4_S_reactions_mx = t364 + minus_limb4_upper_position_z * limb4_S_reactions_fy
-        limb4_S_reactions_my = minus_limb4_upper_position_z * t357 + minus_limb4_upper_position_x * limb4_S_reactions_fz
+        limb4_S_reactions_my = (
+            minus_limb4_upper_position_z * t357 + minus_limb4_upper_position_x * limb4_S_reactions_fz
+        )
         limb4_S_reactions_mz = limb4_upper_position_y * t357 - minus_limb4_upper_position_x * limb4_S_reactions_fy
         # platform: geometry; momentum rate, eq. (35); balance, eqs. (40)-(47)
         platform_turn_xx = 1.0 - t27 * t30
-        platform_rate_fx = 1.4912957453168034 * (limb5_S_a_wy + limb5_S_v_wx * limb5_S_v_wz)
+        platform_rate_fx = platform_mz * (limb5_S_a_wy + limb5_S_v_wx * limb5_S_v_wz)
         t371 = limb5_S_q_qx * t34
         t372 = limb5_S_q_qw * t76
         platform_turn_zx = t371 - t372
-        platform_rate_fx_2 = platform_rate_fx + 28.1547 * platform_turn_zx
+        platform_rate_fx_2 = platform_rate_fx + platform_m_gravity_z * platform_turn_zx
         t374 = platform_turn_xx * platform_rate_fx_2
-        minus_platform_rate_fy_2 = 1.4912957453168034 * (limb5_S_a_wx - limb5_S_v_wy * limb5_S_v_wz) - 28.1547 * platform_turn_zy
+        minus_platform_rate_fy = platform_mz * (limb5_S_a_wx - limb5_S_v_wy * limb5_S_v_wz)
+        minus_platform_rate_fy_2 = minus_platform_rate_fy - platform_m_gravity_z * platform_turn_zy
         # platform: balance, eqs. (40)-(47); geometry; momentum rate, eq. (35)
         t377 = t374 - platform_turn_xy * minus_platform_rate_fy_2
         platform_turn_xz = t371 + t372
-        minus_platform_rate_fz = 1.4912957453168034 * (limb5_S_v_wx * limb5_S_v_wx + limb5_S_v_wy * limb5_S_v_wy)
+        minus_platform_rate_fz = platform_mz * (limb5_S_v_wx * limb5_S_v_wx + limb5_S_v_wy * limb5_S_v_wy)
         platform_turn_zz = 1.0 - t30 * (t23 + t25)
-        minus_platform_rate_fz_2 = minus_platform_rate_fz - 28.1547 * platform_turn_zz
+        minus_platform_rate_fz_2 = minus_platform_rate_fz - platform_m_gravity_z * platform_turn_zz
         t385 = t377 - platform_turn_xz * minus_platform_rate_fz_2 + t92
         t388 = limb2_lower_cos * multipliers_4 - limb2_lower_sin * multipliers_5
         t392 = t385 + (t184 - minus_limb2_U_0_cos * t388) - limb3_S_reactions_fx
@@ -11037,62 +12421,63 @@ def _forward_dynamics_reactions_wrenches(*arguments):
         t429 = t423 - (t192 + limb2_U_0_sin * t388) + (t275 + limb3_U_0_cos * t412)
         platform_joint_sent_fz = t429 - (t360 + limb4_U_0_sin * t395)
         limb1_lower_joint_sent_fx = -minus_limb1_lower_joint_sent_fx
-        sized_3 = 1.5098282268426322 * limb1_lower_joint_sent_mx
-        sized_4 = 1.5098282268426322 * limb1_lower_joint_sent_my
+        sized_3 = per_length * limb1_lower_joint_sent_mx
+        sized_4 = per_length * limb1_lower_joint_sent_my
         # limb1: balance, eqs. (40)-(47); results; reactions, eq. (32)
         limb1_upper_sent_fz = -minus_limb1_upper_sent_fz
-        sized_9 = 1.5098282268426322 * limb1_upper_sent_mx
-        t432 = 1.5098282268426322 * minus_limb1_upper_rate_my_2
+        sized_9 = per_length * limb1_upper_sent_mx
+        t432 = per_length * minus_limb1_upper_rate_my_2
         sized_10 = -t432
-        t433 = 1.5098282268426322 * minus_limb1_upper_sent_mz
+        t433 = per_length * minus_limb1_upper_sent_mz
         sized_11 = -t433
         limb1_U2_joint_reaction_fx = -multipliers_0
         limb1_U2_joint_reaction_fy = -multipliers_1
         limb1_U2_joint_reaction_fz = -multipliers_2
-        t434 = 1.5098282268426322 * minus_limb1_U2_joint_reaction_mx
+        t434 = per_length * minus_limb1_U2_joint_reaction_mx
         sized_15 = -t434
-        t435 = 1.5098282268426322 * minus_limb1_U2_joint_reaction_mz
+        t435 = per_length * minus_limb1_U2_joint_reaction_mz
         sized_17 = -t435
         limb2_lower_joint_sent_fx = -minus_limb2_lower_joint_sent_fx
-        sized_21 = 1.5098282268426322 * limb2_lower_joint_sent_mx
-        sized_22 = 1.5098282268426322 * limb2_lower_joint_sent_my
+        sized_21 = per_length * limb2_lower_joint_sent_mx
+        sized_22 = per_length * limb2_lower_joint_sent_my
         limb2_upper_sent_fz = -minus_limb2_upper_sent_fz
-        sized_27 = 1.5098282268426322 * limb2_upper_rate_mx
-        t436 = 1.5098282268426322 * minus_limb2_upper_rate_my_2  # limb2
+        sized_27 = per_length * limb2_upper_rate_mx
+        t436 = per_length * minus_limb2_upper_rate_my_2  # limb2
         sized_28 = -t436
-        t437 = 1.5098282268426322 * minus_limb2_upper_rate_mz_2  # limb2
+        t437 = per_length * minus_limb2_upper_rate_mz_2  # limb2
         sized_29 = -t437
         limb2_S_joint_reaction_fx = -multipliers_4
         limb2_S_joint_reaction_fy = -multipliers_5
         limb2_S_joint_reaction_fz = -multipliers_6
         limb3_lower_joint_sent_fx = -minus_limb3_lower_joint_sent_fx
         limb3_lower_sent_fz = -minus_limb3_lower_sent_fz
-        sized_39 = 1.5098282268426322 * limb3_lower_joint_sent_mx
-        t438 = 1.5098282268426322 * minus_limb3_lower_joint_sent_my  # limb3
+        sized_39 = per_length * limb3_lower_joint_sent_mx
+        t438 = per_length * minus_limb3_lower_joint_sent_my  # limb3
         sized_40 = -t438
         limb3_upper_sent_fz = -minus_limb3_upper_sent_fz
-        sized_45 = 1.5098282268426322 * limb3_upper_rate_mx
-        t439 = 1.5098282268426322 * minus_limb3_upper_rate_my_2  # limb3
+        sized_45 = per_length * limb3_upper_rate_mx
+        t439 = per_length * minus_limb3_upper_rate_my_2  # limb3
         sized_46 = -t439
-        t440 = 1.5098282268426322 * minus_limb3_upper_rate_mz_2  # limb3
+        t440 = per_length * minus_limb3_upper_rate_mz_2  # limb3
         sized_47 = -t440
         limb3_S_joint_reaction_fx = -multipliers_7
         limb3_S_joint_reaction_fy = -multipliers_8
         limb3_S_joint_reaction_fz = -multipliers_9
         limb4_lower_joint_sent_fx = -minus_limb4_lower_joint_sent_fx
         limb4_lower_sent_fz = -minus_limb4_lower_sent_fz
-        sized_57 = 1.5098282268426322 * limb4_lower_joint_sent_mx
-        t441 = 1.5098282268426322 * minus_limb4_lower_joint_sent_my  # limb4
+        sized_57 = per_length * limb4_lower_joint_sent_mx
+        t441 = per_length * minus_limb4_lower_joint_sent_my  # limb4
         sized_58 = -t441
         limb4_upper_sent_fz = -minus_limb4_upper_sent_fz
-        sized_63 = 1.5098282268426322 * limb4_upper_rate_mx
-        t442 = 1.5098282268426322 * minus_limb4_upper_rate_my_2  # limb4
+        sized_63 = per_length * limb4_upper_rate_mx
+        t442 = per_length * minus_limb4_upper_rate_my_2  # limb4
         sized_64 = -t442
-        t443 = 1.5098282268426322 * minus_limb4_upper_rate_mz_2  # limb4
+        t443 = per_length * minus_limb4_upper_rate_mz_2  # limb4
         sized_65 = -t443
         limb4_S_joint_reaction_fx = -multipliers_10
         limb4_S_joint_reaction_fy = -multipliers_11
         limb4_S_joint_reaction_fz = -multipliers_12
+        guards = ()
         return _finish(batch, ((limb1_lower_joint_sent_fy, limb1_U_0_joint_sent_fx,
             limb1_U_0_joint_sent_fy, limb1_lower_joint_sent_my, limb1_U_reactions_my,
             limb1_U_reactions_mz, limb1_P_reactions_fx, limb1_P_reactions_fy, limb1_P_reactions_fz,
@@ -11130,20 +12515,20 @@ def _forward_dynamics_reactions_wrenches(*arguments):
             limb4_upper_sent_fy, limb4_upper_sent_fz, sized_63, sized_64, sized_65,
             limb4_S_joint_reaction_fx, limb4_S_joint_reaction_fy, limb4_S_joint_reaction_fz, 0.0,
             0.0, 0.0, platform_joint_sent_fx, platform_joint_sent_fy, platform_joint_sent_fz, 0.0,
-            0.0, 0.0)), (), (limb1_lower_joint_sent_fy, limb1_U_reactions_my, limb1_U_reactions_mz,
-            limb1_P_reactions_mx, limb1_P_reactions_my, limb1_P_reactions_mz, limb1_U2_reactions_mx,
-            limb1_U2_reactions_my, limb1_U2_reactions_mz, limb2_lower_joint_sent_fy,
-            limb2_U_reactions_mx, limb2_U_reactions_mz, t168, limb2_P_reactions_my, t183, t198,
-            limb2_S_reactions_my, limb2_S_reactions_mz, limb3_lower_joint_sent_fy,
-            limb3_U_reactions_my, limb3_U_reactions_mz, t248, limb3_P_reactions_my,
-            limb3_P_reactions_mz, limb3_S_reactions_mx, limb3_S_reactions_my, limb3_S_reactions_mz,
-            limb4_lower_joint_sent_fy, limb4_U_reactions_mx, limb4_U_reactions_mz, t337,
-            limb4_P_reactions_my, t352, limb4_S_reactions_mx, limb4_S_reactions_my,
-            limb4_S_reactions_mz, platform_joint_sent_fx, platform_joint_sent_fy,
-            platform_joint_sent_fz, sized_3, sized_4, sized_9, t432, t433, t434, t435, sized_21,
-            sized_22, sized_27, t436, t437, sized_39, t438, sized_45, t439, t440, sized_57, t441,
-            sized_63, t442, t443, limb1_P_u, limb2_P_u, limb3_P_u, limb4_P_u, limb5_S_a_wz), ((t28,
-            0.999999, 1.000001, 5),))
+            0.0, 0.0)), guards, (limb1_lower_joint_sent_fy, limb1_U_reactions_my,
+            limb1_U_reactions_mz, limb1_P_reactions_mx, limb1_P_reactions_my, limb1_P_reactions_mz,
+            limb1_U2_reactions_mx, limb1_U2_reactions_my, limb1_U2_reactions_mz,
+            limb2_lower_joint_sent_fy, limb2_U_reactions_mx, limb2_U_reactions_mz, t168,
+            limb2_P_reactions_my, t183, t198, limb2_S_reactions_my, limb2_S_reactions_mz,
+            limb3_lower_joint_sent_fy, limb3_U_reactions_my, limb3_U_reactions_mz, t248,
+            limb3_P_reactions_my, limb3_P_reactions_mz, limb3_S_reactions_mx, limb3_S_reactions_my,
+            limb3_S_reactions_mz, limb4_lower_joint_sent_fy, limb4_U_reactions_mx,
+            limb4_U_reactions_mz, t337, limb4_P_reactions_my, t352, limb4_S_reactions_mx,
+            limb4_S_reactions_my, limb4_S_reactions_mz, platform_joint_sent_fx,
+            platform_joint_sent_fy, platform_joint_sent_fz, sized_3, sized_4, sized_9, t432, t433,
+            t434, t435, sized_21, sized_22, sized_27, t436, t437, sized_39, t438, sized_45, t439,
+            t440, sized_57, t441, sized_63, t442, t443, limb1_P_u, limb2_P_u, limb3_P_u, limb4_P_u,
+            limb5_S_a_wz), ((t28, 0.999999, 1.000001, 5),))
 
 
 def forward_dynamics_reactions(*arguments):
@@ -11200,8 +12585,12 @@ def forward_dynamics_reactions(*arguments):
         NaN
     Operations where no pivot is small: 1766 (add 735, mul 988, div 8, trig 16, compare 19)
     """
-    settings = ((1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327, 1.0, 1.0, 1.0,), (1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.0, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322,), 13, 1.0e-09)
-    return _rank_revealing(_forward_dynamics_reactions_first, _forward_dynamics_reactions_dense, _forward_dynamics_reactions_wrenches, arguments, *settings)
+    settings = ((1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327,
+        1.0, 1.0, 1.0,), (per_length, per_length, per_length, 1.0, per_length, per_length,
+        per_length, per_length, per_length, per_length, per_length, per_length, per_length,), 13,
+        1.0e-09)
+    return _rank_revealing(_forward_dynamics_reactions_first, _forward_dynamics_reactions_dense,
+        _forward_dynamics_reactions_wrenches, arguments, *settings)
 
 
 def close_position(*arguments):
@@ -11237,9 +12626,9 @@ def close_position(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # limb1: geometry; reciprocal wrenches, eq. (10); rates that follow
-        t1 = 0.5235987755982989 + limb1_U_q_1
+        t1 = limb_lower_phase + limb1_U_q_1
         limb1_lower_cos = np.cos(t1)
-        limb1_upper_offset_x = 0.3 + limb1_P_q
+        limb1_upper_offset_x = limb_upper_phase + limb1_P_q
         minus_limb1_U_0_lever_mz_by_limb1_U2_fz = limb1_lower_cos * limb1_upper_offset_x
         t2 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz
         limb1_U_0_cos = np.cos(limb1_U_q_0)
@@ -11262,7 +12651,7 @@ def close_position(*arguments):
         t16 = 0.5 * (t13 + t15)
         t17 = limb5_S_q_qy * t14
         t19 = limb5_S_q_qw * (limb5_S_q_qx * t11)
-        t20 = 0.5196152422706631 * (t17 - t19)
+        t20 = param_H * (t17 - t19)
         # limb1: loop closure; reciprocal wrenches, eq. (10); rates that follow
         t21 = minus_limb1_upper_position_y - (t16 - t20)
         t22 = limb1_U_0_cos * t21
@@ -11271,24 +12660,26 @@ def close_position(*arguments):
         t23 = limb5_S_q_qx * t14  # limb5_S
         t24 = limb5_S_q_qw * t12  # limb5_S
         t25 = 0.5 * (t23 - t24)  # platform
-        t28 = 0.5196152422706631 * (1.0 - t11 * (t4 + t6))  # platform
+        t28 = param_H * (1.0 - t11 * (t4 + t6))  # platform
         t29 = limb1_upper_position_z + (t25 - t28)
         minus_limb1_U2_opening_fz = t22 - limb1_U_0_sin * t29
         limb1_lower_sin = np.sin(t1)
-        minus_limb1_upper_position_x = 0.8 - limb1_lower_sin * limb1_upper_offset_x
+        minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x
         platform_turn_yy = 1.0 - t11 * (t4 + t7)
         t33 = limb1_U_0_cos * platform_turn_yy
         platform_turn_zy = t17 + t19
         limb1_U2_constraint_mn_couple_x = t33 + limb1_U_0_sin * platform_turn_zy
         limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x
         minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * t2
-        minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn - minus_limb1_upper_position_x * minus_limb1_U_factor_0_by_3
+        minus_limb1_U2_factor_1_by_3 = (
+            limb1_U_0_lever_my_by_limb1_U2_mn - minus_limb1_upper_position_x * minus_limb1_U_factor_0_by_3
+        )
         t36 = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3
         t39 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy
         t40 = limb1_lower_cos * t39
         platform_turn_xy = t13 - t15
         limb1_U2_constraint_mn_couple_z = t40 - limb1_lower_sin * platform_turn_xy
-        limb1_U2_arm_x = limb1_upper_offset_x - 0.8 * limb1_lower_sin
+        limb1_U2_arm_x = limb1_upper_offset_x - param_R * limb1_lower_sin
         t43 = limb1_lower_cos * t2
         limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * t43
         minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * limb1_U_factor_1_by_3
@@ -11297,7 +12688,7 @@ def close_position(*arguments):
         t47 = minus_limb1_U2_opening_fz * minus_limb1_U_factor_0_by_3
         limb1_U2_opening_mn = limb1_lower_sin * t39 + limb1_lower_cos * platform_turn_xy
         t51 = 0.5 * (1.0 - t8 * t11)  # platform
-        t52 = 0.5196152422706631 * (t23 + t24)  # platform
+        t52 = param_H * (t23 + t24)  # platform
         t53 = minus_limb1_upper_position_x - (t51 - t52)
         t56 = limb1_lower_cos * t53 + limb1_U_0_sin * limb1_lower_sin * t21
         minus_limb1_U2_opening_fy = t56 + limb1_U_0_cos * limb1_lower_sin * t29
@@ -11305,15 +12696,15 @@ def close_position(*arguments):
         t65 = t2 * (minus_limb1_U2_opening_fz + minus_limb1_upper_position_x * (limb1_U_0_cos * t61))  # mechanism
         # limb4: geometry; reciprocal wrenches, eq. (10); rates that follow
         limb4_U_0_sin = np.cos(limb4_U_q_0)
-        t66 = 2.6179938779914944 - limb4_U_q_1
+        t66 = limb_lower_phase_2 - limb4_U_q_1
         limb4_lower_cos = np.cos(t66)
-        limb4_S_arm_y = 0.8 * limb4_lower_cos
+        limb4_S_arm_y = param_R * limb4_lower_cos
         platform_joint_force_mx_by_limb4_P = limb4_U_0_sin * limb4_S_arm_y
         t67 = 2.2795812745707664 * platform_joint_force_mx_by_limb4_P  # platform
         t68 = platform_joint_force_mx_by_limb4_P * t67  # platform
-        limb4_upper_offset_x = 0.3 + limb4_P_q
+        limb4_upper_offset_x = limb_upper_phase + limb4_P_q
         minus_limb4_lower_sin = np.sin(t66)
-        limb4_S_arm_x = limb4_upper_offset_x - 0.8 * minus_limb4_lower_sin
+        limb4_S_arm_x = limb4_upper_offset_x - param_R * minus_limb4_lower_sin
         t70 = limb4_U_0_sin * limb4_S_arm_x
         minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x
         t71 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz
@@ -11321,33 +12712,37 @@ def close_position(*arguments):
         limb4_U_null_space_1_by_limb5_S_wx = t70 * t72
         t73 = limb4_U_null_space_1_by_limb5_S_wx * limb4_U_null_space_1_by_limb5_S_wx
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
-        limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
+        limb4_upper_position_y = param_R - minus_limb4_lower_sin * limb4_upper_offset_x
         limb4_U_null_space_0_by_limb5_S_wx = t71 * (minus_limb4_U_0_cos * limb4_upper_position_y)
         t75 = limb4_U_null_space_0_by_limb5_S_wx * limb4_U_null_space_0_by_limb5_S_wx
         # limb2: geometry; reciprocal wrenches, eq. (10); rates that follow
         limb2_U_0_sin = np.cos(limb2_U_q_0)
-        t76 = 2.6179938779914944 + limb2_U_q_1
+        t76 = limb_lower_phase_2 + limb2_U_q_1
         limb2_lower_cos = np.cos(t76)
-        minus_limb2_S_arm_y = 0.8 * limb2_lower_cos
+        minus_limb2_S_arm_y = param_R * limb2_lower_cos
         minus_platform_joint_force_mx_by_limb2_P = limb2_U_0_sin * minus_limb2_S_arm_y
         t77 = 2.2795812745707664 * minus_platform_joint_force_mx_by_limb2_P  # platform
         t78 = minus_platform_joint_force_mx_by_limb2_P * t77  # platform
-        limb2_upper_offset_x = 0.3 + limb2_P_q
+        limb2_upper_offset_x = limb_upper_phase + limb2_P_q
         minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x
         t79 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
         limb2_lower_sin = np.sin(t76)
-        minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
+        minus_limb2_upper_position_y = param_R - limb2_lower_sin * limb2_upper_offset_x
         minus_limb2_U_null_space_0_by_limb5_S_wx = t79 * (minus_limb2_U_0_cos * minus_limb2_upper_position_y)
         t82 = 1.0 + minus_limb2_U_null_space_0_by_limb5_S_wx * minus_limb2_U_null_space_0_by_limb5_S_wx
-        limb2_S_arm_x = limb2_upper_offset_x - 0.8 * limb2_lower_sin
+        limb2_S_arm_x = limb2_upper_offset_x - param_R * limb2_lower_sin
         t84 = limb2_U_0_sin * limb2_S_arm_x
         t85 = limb2_lower_cos * t79
         limb2_U_null_space_1_by_limb5_S_wx = t84 * t85
-        t89 = 1.0 + (t78 + (t82 + limb2_U_null_space_1_by_limb5_S_wx * limb2_U_null_space_1_by_limb5_S_wx))  # mechanism
+        t89 = (
+            1.0 + (t78 + (t82 + limb2_U_null_space_1_by_limb5_S_wx * limb2_U_null_space_1_by_limb5_S_wx))
+        )  # mechanism
         pivot_0 = 1.0 + (t68 + (t73 + (t75 + t89)))
         t93 = 1.0 / pivot_0  # mechanism
-        limb5_S_null_space_wz_by_limb5_S_wy = t46 * (limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - limb1_U_0_cos * minus_limb1_U2_factor_0_by_3)
+        limb5_S_null_space_wz_by_limb5_S_wy = (
+            t46 * (limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - limb1_U_0_cos * minus_limb1_U2_factor_0_by_3)
+        )
         t97 = minus_limb4_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy  # limb4
         limb4_P_null_space_by_limb5_S_wy = limb4_S_arm_y * t97
         t98 = 2.2795812745707664 * limb4_P_null_space_by_limb5_S_wy  # limb4
@@ -11358,31 +12753,41 @@ def close_position(*arguments):
         t102 = minus_platform_joint_force_mx_by_limb2_P * t101  # mechanism
         minus_limb2_U_null_space_1_by_limb5_S_wy = t85 * (limb2_S_arm_x * t100)
         t104 = limb2_U_null_space_1_by_limb5_S_wx * minus_limb2_U_null_space_1_by_limb5_S_wy
-        t107 = minus_limb2_U_0_lever_mz_by_limb2_S_fz - minus_limb2_upper_position_y * (limb2_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy)
+        t107 = (
+            minus_limb2_U_0_lever_mz_by_limb2_S_fz - minus_limb2_upper_position_y * (limb2_U_0_sin *
+            limb5_S_null_space_wz_by_limb5_S_wy)
+        )
         limb2_U_null_space_0_by_limb5_S_wy = t79 * t107
         t108 = minus_limb2_U_null_space_0_by_limb5_S_wx * limb2_U_null_space_0_by_limb5_S_wy
-        t111 = minus_limb1_upper_position_x * (limb1_U_0_sin - limb1_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy)  # limb1
+        t111 = (
+            minus_limb1_upper_position_x * (limb1_U_0_sin - limb1_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy)
+        )  # limb1
         minus_limb1_U_null_space_0_by_limb5_S_wy = t2 * t111
         t114 = t102 + (t104 + (t108 + minus_limb1_U_null_space_0_by_limb5_S_wy))  # mechanism
         # limb3: geometry; reciprocal wrenches, eq. (10); rates that follow
-        t115 = 0.5235987755982989 - limb3_U_q_1
+        t115 = limb_lower_phase - limb3_U_q_1
         limb3_lower_cos = np.cos(t115)
-        limb3_upper_offset_x = 0.3 + limb3_P_q
+        limb3_upper_offset_x = limb_upper_phase + limb3_P_q
         minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x
         t116 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
         minus_limb3_lower_sin = np.sin(t115)
-        limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
+        limb3_upper_position_x = param_R - minus_limb3_lower_sin * limb3_upper_offset_x
         limb3_U_0_sin = np.sin(limb3_U_q_0)
         limb3_U_0_cos = np.cos(limb3_U_q_0)
         t119 = limb3_upper_position_x * (limb3_U_0_sin - limb3_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy)
         limb3_U_null_space_0_by_limb5_S_wy = t116 * t119
         t120 = t114 - limb3_U_null_space_0_by_limb5_S_wy  # mechanism
-        t123 = minus_limb4_U_0_lever_mz_by_limb4_S_fz + limb4_upper_position_y * (limb4_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy)  # limb4
+        t123 = (
+            minus_limb4_U_0_lever_mz_by_limb4_S_fz + limb4_upper_position_y * (limb4_U_0_sin *
+            limb5_S_null_space_wz_by_limb5_S_wy)
+        )  # limb4
         limb4_U_null_space_0_by_limb5_S_wy = t71 * t123
         t125 = t120 - limb4_U_null_space_0_by_limb5_S_wx * limb4_U_null_space_0_by_limb5_S_wy  # mechanism
         # limb4: rates that follow; geometry; loop closure
         minus_limb4_U_null_space_1_by_limb5_S_wy = t72 * (limb4_S_arm_x * t97)
-        t129 = t99 + (t125 + limb4_U_null_space_1_by_limb5_S_wx * minus_limb4_U_null_space_1_by_limb5_S_wy)  # mechanism
+        t129 = (
+            t99 + (t125 + limb4_U_null_space_1_by_limb5_S_wx * minus_limb4_U_null_space_1_by_limb5_S_wy)
+        )  # mechanism
         t130 = t93 * t129  # mechanism
         minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos
         minus_limb4_upper_position_x = limb4_upper_offset_x * minus_limb4_lower_rotation_xx
@@ -11441,7 +12846,7 @@ def close_position(*arguments):
         t204 = minus_limb4_U_null_space_1_by_limb5_S_wy * t151  # mechanism
         t205 = limb4_U_null_space_0_by_limb5_S_wy * t158  # mechanism
         # limb3: reciprocal wrenches, eq. (10); rates that follow; loop closure
-        limb3_S_arm_y = 0.8 * limb3_lower_cos
+        limb3_S_arm_y = param_R * limb3_lower_cos
         t207 = limb3_U_0_cos + limb3_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy
         minus_limb3_P_null_space_by_limb5_S_wy = limb3_S_arm_y * t207
         t208 = 2.2795812745707664 * minus_limb3_P_null_space_by_limb5_S_wy
@@ -11451,7 +12856,7 @@ def close_position(*arguments):
         t214 = limb3_U_0_sin * t61  # mechanism
         t216 = minus_limb3_S_opening_fx + limb3_S_arm_y * t214  # mechanism
         t217 = t208 * t216  # mechanism
-        limb3_S_arm_x = limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin
+        limb3_S_arm_x = limb3_upper_offset_x - param_R * minus_limb3_lower_sin
         t219 = limb3_S_arm_x * t207
         t220 = limb3_lower_cos * t116
         limb3_U_null_space_1_by_limb5_S_wy = t219 * t220
@@ -11463,11 +12868,13 @@ def close_position(*arguments):
         t230 = t101 * t169  # mechanism
         t231 = minus_limb2_U_null_space_1_by_limb5_S_wy * t177  # mechanism
         t232 = limb2_U_null_space_0_by_limb5_S_wy * t184  # mechanism
-        minus_limb1_U2_arm_y = 0.8 * limb1_lower_cos
+        minus_limb1_U2_arm_y = param_R * limb1_lower_cos
         t234 = limb1_U_0_cos + limb1_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy  # limb1
         limb1_P_null_space_by_limb5_S_wy = minus_limb1_U2_arm_y * t234
         t235 = 2.2795812745707664 * limb1_P_null_space_by_limb5_S_wy  # limb1
-        minus_limb1_U2_opening_fx = limb1_lower_sin * t53 - minus_limb1_lower_rotation_yx * t21 - limb1_lower_rotation_zx * t29
+        minus_limb1_U2_opening_fx = (
+            limb1_lower_sin * t53 - minus_limb1_lower_rotation_yx * t21 - limb1_lower_rotation_zx * t29
+        )
         # limb5_S: results; pivots
         t240 = limb1_U_0_sin * t61
         t242 = minus_limb1_U2_opening_fx - minus_limb1_U2_arm_y * t240
@@ -11490,7 +12897,9 @@ def close_position(*arguments):
         t273 = limb2_U_null_space_0_by_limb5_S_wy * limb2_U_null_space_0_by_limb5_S_wy  # limb2
         t274 = limb1_P_null_space_by_limb5_S_wy * t235  # limb1
         t275 = limb1_U_null_space_1_by_limb5_S_wy * limb1_U_null_space_1_by_limb5_S_wy  # limb1
-        t278 = t274 + (t275 + minus_limb1_U_null_space_0_by_limb5_S_wy * minus_limb1_U_null_space_0_by_limb5_S_wy)  # limb1
+        t278 = (
+            t274 + (t275 + minus_limb1_U_null_space_0_by_limb5_S_wy * minus_limb1_U_null_space_0_by_limb5_S_wy)
+        )  # limb1
         t284 = t268 + (t269 + (t270 + (t271 + (t272 + (t273 + t278)))))
         minus_pivot_1 = t263 - (t264 + (1.0 + (t265 + (t266 + (t267 + t284)))))
         t290 = t262 / minus_pivot_1
@@ -11498,20 +12907,33 @@ def close_position(*arguments):
         limb1_U_q_next_0 = limb1_U_q_0 - (t65 - (t293 - minus_limb1_U_null_space_0_by_limb5_S_wy * t290))
         limb1_U_q_next_1 = limb1_U_q_1 + (t247 + limb1_U_null_space_1_by_limb5_S_wy * t290)
         limb1_P_q_next = limb1_P_q + (t242 + limb1_P_null_space_by_limb5_S_wy * t290)
-        t304 = t184 - (limb2_U_null_space_0_by_limb5_S_wy * t290 - minus_limb2_U_null_space_0_by_limb5_S_wx * t293)  # limb2
+        t304 = (
+            t184 - (limb2_U_null_space_0_by_limb5_S_wy * t290 - minus_limb2_U_null_space_0_by_limb5_S_wx * t293)
+        )  # limb2
         limb2_U_q_next_0 = limb2_U_q_0 - t304
-        t308 = t177 - (minus_limb2_U_null_space_1_by_limb5_S_wy * t290 - limb2_U_null_space_1_by_limb5_S_wx * t293)  # limb2
+        t308 = (
+            t177 - (minus_limb2_U_null_space_1_by_limb5_S_wy * t290 - limb2_U_null_space_1_by_limb5_S_wx * t293)
+        )  # limb2
         limb2_U_q_next_1 = limb2_U_q_1 + t308
-        t311 = minus_limb2_P_null_space_by_limb5_S_wy * t290 - minus_platform_joint_force_mx_by_limb2_P * t293  # limb2
+        t311 = (
+            minus_limb2_P_null_space_by_limb5_S_wy * t290 - minus_platform_joint_force_mx_by_limb2_P * t293
+        )  # limb2
         limb2_P_q_next = limb2_P_q - (t169 + t311)
         limb3_U_q_next_0 = limb3_U_q_0 - (t196 - (t293 + limb3_U_null_space_0_by_limb5_S_wy * t290))
         limb3_U_q_next_1 = limb3_U_q_1 - (t227 - limb3_U_null_space_1_by_limb5_S_wy * t290)
         limb3_P_q_next = limb3_P_q + (t216 - minus_limb3_P_null_space_by_limb5_S_wy * t290)
-        t323 = t158 - (limb4_U_null_space_0_by_limb5_S_wy * t290 + limb4_U_null_space_0_by_limb5_S_wx * t293)  # limb4
+        t323 = (
+            t158 - (limb4_U_null_space_0_by_limb5_S_wy * t290 + limb4_U_null_space_0_by_limb5_S_wx * t293)
+        )  # limb4
         limb4_U_q_next_0 = limb4_U_q_0 - t323
-        t327 = t151 + (minus_limb4_U_null_space_1_by_limb5_S_wy * t290 - limb4_U_null_space_1_by_limb5_S_wx * t293)  # limb4
+        t327 = (
+            t151 + (minus_limb4_U_null_space_1_by_limb5_S_wy * t290 - limb4_U_null_space_1_by_limb5_S_wx * t293)
+        )  # limb4
         limb4_U_q_next_1 = limb4_U_q_1 - t327
-        limb4_P_q_next = limb4_P_q - (t143 - (limb4_P_null_space_by_limb5_S_wy * t290 - platform_joint_force_mx_by_limb4_P * t293))
+        limb4_P_q_next = (
+            limb4_P_q - (t143 - (limb4_P_null_space_by_limb5_S_wy * t290 - platform_joint_force_mx_by_limb4_P *
+            t293))
+        )
         t334 = 0.5 * (t61 - limb5_S_null_space_wz_by_limb5_S_wy * t290)
         t335 = limb5_S_q_qz * t334
         t336 = 0.5 * t290
@@ -11531,39 +12953,49 @@ def close_position(*arguments):
         limb5_S_q_next_qy = -t370
         t371 = t348 * t369
         limb5_S_q_next_qz = -t371
-        t372 = 1.5098282268426322 * minus_limb1_U2_opening_fx  # limb1
+        t372 = per_length * minus_limb1_U2_opening_fx  # limb1
         t373 = t372 * t372  # limb1
-        t374 = 1.5098282268426322 * minus_limb1_U2_opening_fy  # limb1
+        t374 = per_length * minus_limb1_U2_opening_fy  # limb1
         t376 = t373 + t374 * t374  # limb1
-        t377 = 1.5098282268426322 * minus_limb1_U2_opening_fz  # limb1
+        t377 = per_length * minus_limb1_U2_opening_fz  # limb1
         t381 = t376 + t377 * t377 + limb1_U2_opening_mn * limb1_U2_opening_mn  # limb1
-        t382 = 1.5098282268426322 * limb2_S_opening_fx  # limb2
+        t382 = per_length * limb2_S_opening_fx  # limb2
         t384 = t381 + t382 * t382
-        t385 = 1.5098282268426322 * minus_limb2_S_opening_fy  # limb2
+        t385 = per_length * minus_limb2_S_opening_fy  # limb2
         t387 = t384 + t385 * t385
-        t388 = 1.5098282268426322 * minus_limb2_S_opening_fz  # limb2
+        t388 = per_length * minus_limb2_S_opening_fz  # limb2
         t390 = t387 + t388 * t388
-        t391 = 1.5098282268426322 * minus_limb3_S_opening_fx  # limb3
+        t391 = per_length * minus_limb3_S_opening_fx  # limb3
         t393 = t390 + t391 * t391
-        t394 = 1.5098282268426322 * limb3_S_opening_fy  # limb3
+        t394 = per_length * limb3_S_opening_fy  # limb3
         t396 = t393 + t394 * t394
-        t397 = 1.5098282268426322 * minus_limb3_S_opening_fz  # limb3
+        t397 = per_length * minus_limb3_S_opening_fz  # limb3
         t399 = t396 + t397 * t397
-        t400 = 1.5098282268426322 * limb4_S_opening_fx  # limb4
+        t400 = per_length * limb4_S_opening_fx  # limb4
         t402 = t399 + t400 * t400
-        t403 = 1.5098282268426322 * limb4_S_opening_fy  # limb4
+        t403 = per_length * limb4_S_opening_fy  # limb4
         t405 = t402 + t403 * t403
-        t406 = 1.5098282268426322 * minus_limb4_S_opening_fz  # limb4
+        t406 = per_length * minus_limb4_S_opening_fz  # limb4
         residual_residual = np.sqrt(t405 + t406 * t406)
+        guards = (  # status 1 where a pivot is smaller than its limit:
+            (minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-10),  # where the reciprocal wrench limb3_S.fz has no
+            # power along limb3_U.0, as in a stretched limb
+            (minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-10),  # where the reciprocal wrench limb2_S.fz has no
+            # power along limb2_U.0, as in a stretched limb
+            (minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-10),  # where the reciprocal wrench limb4_S.fz has no
+            # power along limb4_U.0, as in a stretched limb
+            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-10),  # where the reciprocal wrench limb1_U2.fz has
+            # no power along limb1_U.0, as in a stretched limb
+            (minus_limb5_S_pivot_wz, 1.0e-09),  # where the loops no longer determine limb5_S.wz
+            (pivot_0, 5.4106e-09),  # where step 0 of symmetric equations loses rank: of drives, inertia or internal
+            # loads
+            (minus_pivot_1, 5.4385e-09),  # where step 1 of symmetric equations loses rank: of drives, inertia or
+            # internal loads
+        )
         return _finish(batch, ((limb1_U_q_next_0, limb1_U_q_next_1, limb1_P_q_next,
             limb2_U_q_next_0, limb2_U_q_next_1, limb2_P_q_next, limb3_U_q_next_0, limb3_U_q_next_1,
             limb3_P_q_next, limb4_U_q_next_0, limb4_U_q_next_1, limb4_P_q_next, limb5_S_q_next_qw,
-            limb5_S_q_next_qx, limb5_S_q_next_qy, limb5_S_q_next_qz), (residual_residual,)),
-            ((minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-10),
-            (minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-10),
-            (minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-10),
-            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-10), (minus_limb5_S_pivot_wz,
-            1.0e-09), (pivot_0, 5.4106e-09), (minus_pivot_1, 5.4385e-09)),
+            limb5_S_q_next_qx, limb5_S_q_next_qy, limb5_S_q_next_qz), (residual_residual,)), guards,
             (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, minus_limb5_S_pivot_wz, pivot_0,
             minus_limb3_U_0_lever_mz_by_limb3_S_fz, minus_pivot_1, limb1_U_q_next_0,
             limb1_U_q_next_1, limb1_P_q_next, limb2_U_q_next_0, limb2_U_q_next_1, limb2_P_q_next,
@@ -11609,13 +13041,13 @@ def close_velocity(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # limb1: geometry; reciprocal wrenches, eq. (10); rates that follow
-        t1 = 0.5235987755982989 + limb1_U_q_1
+        t1 = limb_lower_phase + limb1_U_q_1
         limb1_lower_cos = np.cos(t1)
-        limb1_upper_offset_x = 0.3 + limb1_P_q
+        limb1_upper_offset_x = limb_upper_phase + limb1_P_q
         minus_limb1_U_0_lever_mz_by_limb1_U2_fz = limb1_lower_cos * limb1_upper_offset_x
         t2 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz
         limb1_lower_sin = np.sin(t1)
-        minus_limb1_upper_position_x = 0.8 - limb1_lower_sin * limb1_upper_offset_x
+        minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x
         limb1_U_0_sin = np.sin(limb1_U_q_0)
         limb1_U_0_cos = np.cos(limb1_U_q_0)
         # limb5_S: geometry
@@ -11636,7 +13068,10 @@ def close_velocity(*arguments):
         # limb1: reciprocal wrenches, eq. (10); rates that follow
         limb1_U2_constraint_mn_couple_x = t14 + limb1_U_0_sin * platform_turn_zy
         limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x
-        minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn - minus_limb1_upper_position_x * (limb1_lower_sin * limb1_U2_constraint_mn_couple_x * t2)
+        minus_limb1_U2_factor_1_by_3 = (
+            limb1_U_0_lever_my_by_limb1_U2_mn - minus_limb1_upper_position_x * (limb1_lower_sin *
+            limb1_U2_constraint_mn_couple_x * t2)
+        )
         t21 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3
         t25 = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy)
         t26 = limb5_S_q_qy * t11  # limb5_S
@@ -11644,25 +13079,29 @@ def close_velocity(*arguments):
         t28 = limb5_S_q_qw * t15  # limb5_S
         platform_turn_xy = t27 - t28
         limb1_U2_constraint_mn_couple_z = t25 - limb1_lower_sin * platform_turn_xy
-        limb1_U2_arm_x = limb1_upper_offset_x - 0.8 * limb1_lower_sin
+        limb1_U2_arm_x = limb1_upper_offset_x - param_R * limb1_lower_sin
         t31 = limb1_lower_cos * t2
-        minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * (limb1_U2_constraint_mn_couple_z * t31)
+        minus_limb1_U2_factor_0_by_3 = (
+            limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * (limb1_U2_constraint_mn_couple_z * t31)
+        )
         t34 = t21 - limb1_U_0_cos * minus_limb1_U2_factor_0_by_3
-        minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + limb1_U_0_sin * minus_limb1_U2_factor_0_by_3
+        minus_limb5_S_pivot_wz = (
+            limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + limb1_U_0_sin * minus_limb1_U2_factor_0_by_3
+        )
         limb5_S_null_space_wz_by_limb5_S_wy = t34 / minus_limb5_S_pivot_wz
         t39 = minus_limb1_upper_position_x * (limb1_U_0_sin - limb1_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy)
         minus_limb1_U_null_space_0_by_limb5_S_wy = t2 * t39
         # limb4: geometry; reciprocal wrenches, eq. (10); rates that follow
         limb4_U_0_sin = np.cos(limb4_U_q_0)
-        t40 = 2.6179938779914944 - limb4_U_q_1
+        t40 = limb_lower_phase_2 - limb4_U_q_1
         limb4_lower_cos = np.cos(t40)
-        limb4_S_arm_y = 0.8 * limb4_lower_cos
+        limb4_S_arm_y = param_R * limb4_lower_cos
         platform_joint_force_mx_by_limb4_P = limb4_U_0_sin * limb4_S_arm_y
         t41 = 2.2795812745707664 * platform_joint_force_mx_by_limb4_P  # platform
         t42 = platform_joint_force_mx_by_limb4_P * t41  # platform
-        limb4_upper_offset_x = 0.3 + limb4_P_q
+        limb4_upper_offset_x = limb_upper_phase + limb4_P_q
         minus_limb4_lower_sin = np.sin(t40)
-        limb4_S_arm_x = limb4_upper_offset_x - 0.8 * minus_limb4_lower_sin
+        limb4_S_arm_x = limb4_upper_offset_x - param_R * minus_limb4_lower_sin
         t44 = limb4_U_0_sin * limb4_S_arm_x
         minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x
         t45 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz
@@ -11670,30 +13109,32 @@ def close_velocity(*arguments):
         limb4_U_null_space_1_by_limb5_S_wx = t44 * t46
         t47 = limb4_U_null_space_1_by_limb5_S_wx * limb4_U_null_space_1_by_limb5_S_wx
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
-        limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
+        limb4_upper_position_y = param_R - minus_limb4_lower_sin * limb4_upper_offset_x
         limb4_U_null_space_0_by_limb5_S_wx = t45 * (minus_limb4_U_0_cos * limb4_upper_position_y)
         t49 = limb4_U_null_space_0_by_limb5_S_wx * limb4_U_null_space_0_by_limb5_S_wx
         # limb2: geometry; reciprocal wrenches, eq. (10); rates that follow
         limb2_U_0_sin = np.cos(limb2_U_q_0)
-        t50 = 2.6179938779914944 + limb2_U_q_1
+        t50 = limb_lower_phase_2 + limb2_U_q_1
         limb2_lower_cos = np.cos(t50)
-        minus_limb2_S_arm_y = 0.8 * limb2_lower_cos
+        minus_limb2_S_arm_y = param_R * limb2_lower_cos
         minus_platform_joint_force_mx_by_limb2_P = limb2_U_0_sin * minus_limb2_S_arm_y
         t51 = 2.2795812745707664 * minus_platform_joint_force_mx_by_limb2_P  # platform
         t52 = minus_platform_joint_force_mx_by_limb2_P * t51  # platform
-        limb2_upper_offset_x = 0.3 + limb2_P_q
+        limb2_upper_offset_x = limb_upper_phase + limb2_P_q
         minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x
         t53 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
         limb2_lower_sin = np.sin(t50)
-        minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
+        minus_limb2_upper_position_y = param_R - limb2_lower_sin * limb2_upper_offset_x
         minus_limb2_U_null_space_0_by_limb5_S_wx = t53 * (minus_limb2_U_0_cos * minus_limb2_upper_position_y)
         t56 = 1.0 + minus_limb2_U_null_space_0_by_limb5_S_wx * minus_limb2_U_null_space_0_by_limb5_S_wx
-        limb2_S_arm_x = limb2_upper_offset_x - 0.8 * limb2_lower_sin
+        limb2_S_arm_x = limb2_upper_offset_x - param_R * limb2_lower_sin
         t58 = limb2_U_0_sin * limb2_S_arm_x
         t59 = limb2_lower_cos * t53
         limb2_U_null_space_1_by_limb5_S_wx = t58 * t59
-        t63 = 1.0 + (t52 + (t56 + limb2_U_null_space_1_by_limb5_S_wx * limb2_U_null_space_1_by_limb5_S_wx))  # mechanism
+        t63 = (
+            1.0 + (t52 + (t56 + limb2_U_null_space_1_by_limb5_S_wx * limb2_U_null_space_1_by_limb5_S_wx))
+        )  # mechanism
         pivot_0 = 1.0 + (t42 + (t47 + (t49 + t63)))
         t67 = 1.0 / pivot_0  # mechanism
         t68 = minus_limb4_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy  # limb4
@@ -11706,25 +13147,34 @@ def close_velocity(*arguments):
         t73 = minus_platform_joint_force_mx_by_limb2_P * t72  # mechanism
         minus_limb2_U_null_space_1_by_limb5_S_wy = t59 * (limb2_S_arm_x * t71)
         t75 = limb2_U_null_space_1_by_limb5_S_wx * minus_limb2_U_null_space_1_by_limb5_S_wy
-        t78 = minus_limb2_U_0_lever_mz_by_limb2_S_fz - minus_limb2_upper_position_y * (limb2_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy)
+        t78 = (
+            minus_limb2_U_0_lever_mz_by_limb2_S_fz - minus_limb2_upper_position_y * (limb2_U_0_sin *
+            limb5_S_null_space_wz_by_limb5_S_wy)
+        )
         limb2_U_null_space_0_by_limb5_S_wy = t53 * t78
-        t80 = minus_limb2_U_null_space_0_by_limb5_S_wx * limb2_U_null_space_0_by_limb5_S_wy + minus_limb1_U_null_space_0_by_limb5_S_wy  # mechanism
+        t80 = (
+            minus_limb2_U_null_space_0_by_limb5_S_wx * limb2_U_null_space_0_by_limb5_S_wy +
+            minus_limb1_U_null_space_0_by_limb5_S_wy
+        )  # mechanism
         t82 = t73 + (t75 + t80)  # mechanism
         # limb3: geometry; reciprocal wrenches, eq. (10); rates that follow
-        t83 = 0.5235987755982989 - limb3_U_q_1
+        t83 = limb_lower_phase - limb3_U_q_1
         limb3_lower_cos = np.cos(t83)
-        limb3_upper_offset_x = 0.3 + limb3_P_q
+        limb3_upper_offset_x = limb_upper_phase + limb3_P_q
         minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x
         t84 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
         minus_limb3_lower_sin = np.sin(t83)
-        limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
+        limb3_upper_position_x = param_R - minus_limb3_lower_sin * limb3_upper_offset_x
         limb3_U_0_sin = np.sin(limb3_U_q_0)
         limb3_U_0_cos = np.cos(limb3_U_q_0)
         t87 = limb3_upper_position_x * (limb3_U_0_sin - limb3_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy)
         limb3_U_null_space_0_by_limb5_S_wy = t84 * t87
         # platform: results; geometry; velocities, eq. (6)
         t88 = t82 - limb3_U_null_space_0_by_limb5_S_wy
-        t91 = minus_limb4_U_0_lever_mz_by_limb4_S_fz + limb4_upper_position_y * (limb4_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy)  # limb4
+        t91 = (
+            minus_limb4_U_0_lever_mz_by_limb4_S_fz + limb4_upper_position_y * (limb4_U_0_sin *
+            limb5_S_null_space_wz_by_limb5_S_wy)
+        )  # limb4
         limb4_U_null_space_0_by_limb5_S_wy = t45 * t91
         t93 = t88 - limb4_U_null_space_0_by_limb5_S_wx * limb4_U_null_space_0_by_limb5_S_wy
         minus_limb4_U_null_space_1_by_limb5_S_wy = t46 * (limb4_S_arm_x * t68)
@@ -11747,7 +13197,10 @@ def close_velocity(*arguments):
         platform_turn_zz = 1.0 - t11 * (t4 + t6)
         t123 = limb5_S_v_wz * platform_turn_zz
         platform_turn_zx = t103 - t104
-        t127 = (t123 + (limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy)) * limb5_S_null_space_wz_by_limb5_S_wy
+        t127 = (
+            (t123 + (limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy)) *
+            limb5_S_null_space_wz_by_limb5_S_wy
+        )
         t128 = limb5_S_v_wy * platform_turn_yy
         platform_turn_yx = t27 + t28
         t130 = t128 + limb5_S_v_wx * platform_turn_yx
@@ -11757,25 +13210,29 @@ def close_velocity(*arguments):
         t133 = limb4_U_v_1 * minus_limb4_U_null_space_1_by_limb5_S_wy  # limb4
         t134 = limb4_U_v_0 * limb4_U_null_space_0_by_limb5_S_wy  # limb4
         # limb3: rates that follow; results; pivots
-        limb3_S_arm_y = 0.8 * limb3_lower_cos
+        limb3_S_arm_y = param_R * limb3_lower_cos
         t136 = limb3_U_0_cos + limb3_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy
         minus_limb3_P_null_space_by_limb5_S_wy = limb3_S_arm_y * t136
         t137 = 2.2795812745707664 * minus_limb3_P_null_space_by_limb5_S_wy
         t138 = limb3_P_v * t137
-        limb3_U_null_space_1_by_limb5_S_wy = (limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin) * t136 * (limb3_lower_cos * t84)
+        limb3_U_null_space_1_by_limb5_S_wy = (
+            (limb3_upper_offset_x - param_R * minus_limb3_lower_sin) * t136 * (limb3_lower_cos * t84)
+        )
         t142 = limb3_U_v_1 * limb3_U_null_space_1_by_limb5_S_wy
         t143 = limb3_U_v_0 * limb3_U_null_space_0_by_limb5_S_wy
         t144 = limb2_P_v * t72  # limb2
         t145 = limb2_U_v_1 * minus_limb2_U_null_space_1_by_limb5_S_wy  # limb2
         t146 = limb2_U_v_0 * limb2_U_null_space_0_by_limb5_S_wy  # limb2
-        minus_limb1_U2_arm_y = 0.8 * limb1_lower_cos
+        minus_limb1_U2_arm_y = param_R * limb1_lower_cos
         t148 = limb1_U_0_cos + limb1_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy  # limb1
         limb1_P_null_space_by_limb5_S_wy = minus_limb1_U2_arm_y * t148
         t149 = 2.2795812745707664 * limb1_P_null_space_by_limb5_S_wy  # limb1
         t150 = limb1_P_v * t149  # limb1
         limb1_U_null_space_1_by_limb5_S_wy = t31 * (limb1_U2_arm_x * t148)
         t152 = limb1_U_v_1 * limb1_U_null_space_1_by_limb5_S_wy  # limb1
-        t158 = t144 + (t145 - (t146 + (t150 + (t152 - limb1_U_v_0 * minus_limb1_U_null_space_0_by_limb5_S_wy))))  # mechanism
+        t158 = (
+            t144 + (t145 - (t146 + (t150 + (t152 - limb1_U_v_0 * minus_limb1_U_null_space_0_by_limb5_S_wy))))
+        )  # mechanism
         t164 = t132 - (t133 - (t134 - (t138 - (t142 + (t143 - t158)))))  # mechanism
         t167 = t120 + (t127 + (platform_twist_wy + t164))  # mechanism
         t168 = t97 * t98  # mechanism
@@ -11803,9 +13260,15 @@ def close_velocity(*arguments):
         limb1_U_v_next_1 = -t200
         t201 = limb1_P_null_space_by_limb5_S_wy * t195
         limb1_P_v_next = -t201
-        limb2_U_v_next_0 = minus_limb2_U_null_space_0_by_limb5_S_wx * t199 - limb2_U_null_space_0_by_limb5_S_wy * t195
-        limb2_U_v_next_1 = minus_limb2_U_null_space_1_by_limb5_S_wy * t195 - limb2_U_null_space_1_by_limb5_S_wx * t199
-        limb2_P_v_next = minus_limb2_P_null_space_by_limb5_S_wy * t195 - minus_platform_joint_force_mx_by_limb2_P * t199
+        limb2_U_v_next_0 = (
+            minus_limb2_U_null_space_0_by_limb5_S_wx * t199 - limb2_U_null_space_0_by_limb5_S_wy * t195
+        )
+        limb2_U_v_next_1 = (
+            minus_limb2_U_null_space_1_by_limb5_S_wy * t195 - limb2_U_null_space_1_by_limb5_S_wx * t199
+        )
+        limb2_P_v_next = (
+            minus_limb2_P_null_space_by_limb5_S_wy * t195 - minus_platform_joint_force_mx_by_limb2_P * t199
+        )
         t209 = t199 + limb3_U_null_space_0_by_limb5_S_wy * t195  # limb3
         limb3_U_v_next_0 = -t209
         t210 = limb3_U_null_space_1_by_limb5_S_wy * t195  # limb3
@@ -11813,7 +13276,9 @@ def close_velocity(*arguments):
         limb3_P_v_next = minus_limb3_P_null_space_by_limb5_S_wy * t195
         t213 = limb4_U_null_space_0_by_limb5_S_wy * t195 + limb4_U_null_space_0_by_limb5_S_wx * t199  # limb4
         limb4_U_v_next_0 = -t213
-        limb4_U_v_next_1 = minus_limb4_U_null_space_1_by_limb5_S_wy * t195 - limb4_U_null_space_1_by_limb5_S_wx * t199
+        limb4_U_v_next_1 = (
+            minus_limb4_U_null_space_1_by_limb5_S_wy * t195 - limb4_U_null_space_1_by_limb5_S_wx * t199
+        )
         limb4_P_v_next = platform_joint_force_mx_by_limb4_P * t199 - limb4_P_null_space_by_limb5_S_wy * t195
         t218 = limb5_S_null_space_wz_by_limb5_S_wy * t195  # limb5_S
         t223 = platform_turn_zx * t218 + (platform_turn_yx * t195 + platform_turn_xx * t199)  # limb5_S
@@ -11822,14 +13287,25 @@ def close_velocity(*arguments):
         limb5_S_v_next_wy = -t228
         t233 = platform_turn_zz * t218 + (platform_turn_yz * t195 + platform_turn_xz * t199)  # limb5_S
         limb5_S_v_next_wz = -t233
+        guards = (  # status 1 where a pivot is smaller than its limit:
+            (minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-10),  # where the reciprocal wrench limb3_S.fz has no
+            # power along limb3_U.0, as in a stretched limb
+            (minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-10),  # where the reciprocal wrench limb2_S.fz has no
+            # power along limb2_U.0, as in a stretched limb
+            (minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-10),  # where the reciprocal wrench limb4_S.fz has no
+            # power along limb4_U.0, as in a stretched limb
+            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-10),  # where the reciprocal wrench limb1_U2.fz has
+            # no power along limb1_U.0, as in a stretched limb
+            (minus_limb5_S_pivot_wz, 1.0e-09),  # where the loops no longer determine limb5_S.wz
+            (pivot_0, 5.4106e-09),  # where step 0 of symmetric equations loses rank: of drives, inertia or internal
+            # loads
+            (minus_pivot_1, 5.4385e-09),  # where step 1 of symmetric equations loses rank: of drives, inertia or
+            # internal loads
+        )
         return _finish(batch, ((limb1_U_v_next_0, limb1_U_v_next_1, limb1_P_v_next,
             limb2_U_v_next_0, limb2_U_v_next_1, limb2_P_v_next, limb3_U_v_next_0, limb3_U_v_next_1,
             limb3_P_v_next, limb4_U_v_next_0, limb4_U_v_next_1, limb4_P_v_next, limb5_S_v_next_wx,
-            limb5_S_v_next_wy, limb5_S_v_next_wz),), ((minus_limb3_U_0_lever_mz_by_limb3_S_fz,
-            6.62327e-10), (minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-10),
-            (minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-10),
-            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-10), (minus_limb5_S_pivot_wz,
-            1.0e-09), (pivot_0, 5.4106e-09), (minus_pivot_1, 5.4385e-09)),
+            limb5_S_v_next_wy, limb5_S_v_next_wz),), guards,
             (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, minus_limb5_S_pivot_wz, pivot_0,
             minus_limb3_U_0_lever_mz_by_limb3_S_fz, minus_pivot_1, limb1_U_v_next_0, t200, t201,
             limb2_U_v_next_0, limb2_U_v_next_1, limb2_P_v_next, t209, t210, limb3_P_v_next, t213,
@@ -11877,14 +13353,14 @@ def inverse_kinematics(*arguments):
         t14 = 0.5 * (t11 + t13)
         t15 = limb5_S_pose_qy * t12
         t17 = limb5_S_pose_qw * (limb5_S_pose_qx * t9)
-        t18 = 0.5196152422706631 * (t15 - t17)
+        t18 = param_H * (t15 - t17)
         # limb1: geometry; reciprocal wrenches, eq. (10); results
         minus_limb1_lower_limb_target_x = t14 - t18
         t19 = minus_limb1_lower_limb_target_x * minus_limb1_lower_limb_target_x
         t20 = limb5_S_pose_qx * t12  # limb5_S
         t21 = limb5_S_pose_qw * t10  # limb5_S
         t22 = 0.5 * (t20 - t21)  # platform
-        t25 = 0.5196152422706631 * (1.0 - t9 * (t2 + t4))  # platform
+        t25 = param_H * (1.0 - t9 * (t2 + t4))  # platform
         minus_limb1_lower_limb_target_y = t22 - t25
         t27 = t19 + minus_limb1_lower_limb_target_y * minus_limb1_lower_limb_target_y
         minus_limb1_U_0_lever_mz_by_limb1_U2_fz = np.sqrt(t27)
@@ -11893,15 +13369,15 @@ def inverse_kinematics(*arguments):
         minus_limb1_U_0_cos = minus_limb1_lower_limb_target_y * t28
         limb1_U_q_0 = np.arctan2(limb1_U_0_sin, -minus_limb1_U_0_cos)
         t30 = 0.5 * (1.0 - t6 * t9)  # platform
-        t31 = 0.5196152422706631 * (t20 + t21)  # platform
-        limb1_lower_limb_target_z = 0.8 - (t30 - t31)
+        t31 = param_H * (t20 + t21)  # platform
+        limb1_lower_limb_target_z = param_R - (t30 - t31)
         limb1_lower_limb_length = np.sqrt(t27 + limb1_lower_limb_target_z * limb1_lower_limb_target_z)
         t34 = 1.0 / limb1_lower_limb_length
         limb1_lower_sin = limb1_lower_limb_target_z * t34
-        t35 = 0.8660254037844386 * limb1_lower_sin
+        t35 = k1 * limb1_lower_sin
         limb1_lower_cos = minus_limb1_U_0_lever_mz_by_limb1_U2_fz * t34
-        limb1_U_q_1 = np.arctan2(t35 - 0.5 * limb1_lower_cos, 0.8660254037844386 * limb1_lower_cos + 0.5 * limb1_lower_sin)
-        limb1_P_q = limb1_lower_limb_length - 0.3
+        limb1_U_q_1 = np.arctan2(t35 - 0.5 * limb1_lower_cos, k1 * limb1_lower_cos + 0.5 * limb1_lower_sin)
+        limb1_P_q = limb1_lower_limb_length - limb_upper_phase
         platform_turn_xy = t11 - t13
         t41 = 0.5 * platform_turn_xy  # platform
         # limb2: geometry; reciprocal wrenches, eq. (10); results
@@ -11916,15 +13392,14 @@ def inverse_kinematics(*arguments):
         limb2_U_q_0 = np.arctan2(limb2_lower_limb_target_y * t46, limb2_lower_limb_target_x * t46)
         platform_turn_yy = 1.0 - t9 * (t2 + t5)
         t49 = 0.5 * platform_turn_yy  # platform
-        limb2_lower_limb_target_z = 0.8 + (t18 - t49)
+        limb2_lower_limb_target_z = param_R + (t18 - t49)
         limb2_lower_limb_length = np.sqrt(t45 + limb2_lower_limb_target_z * limb2_lower_limb_target_z)
         t52 = 1.0 / limb2_lower_limb_length
         minus_limb2_lower_cos = limb2_U_0_lever_mz_by_limb2_S_fz * t52
         t53 = 0.5 * minus_limb2_lower_cos
         limb2_lower_sin = limb2_lower_limb_target_z * t52
-        t55 = t53 - 0.8660254037844386 * limb2_lower_sin
-        limb2_U_q_1 = np.arctan2(t55, 0.8660254037844386 * minus_limb2_lower_cos + 0.5 * limb2_lower_sin)
-        limb2_P_q = limb2_lower_limb_length - 0.3
+        limb2_U_q_1 = np.arctan2(t53 - k1 * limb2_lower_sin, k1 * minus_limb2_lower_cos + 0.5 * limb2_lower_sin)
+        limb2_P_q = limb2_lower_limb_length - limb_upper_phase
         # limb3: geometry; reciprocal wrenches, eq. (10); results
         limb3_lower_limb_target_x = t14 + t18
         t59 = limb3_lower_limb_target_x * limb3_lower_limb_target_x
@@ -11933,15 +13408,16 @@ def inverse_kinematics(*arguments):
         minus_limb3_U_0_lever_mz_by_limb3_S_fz = np.sqrt(t61)
         t62 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
         limb3_U_q_0 = np.arctan2(-(limb3_lower_limb_target_x * t62), limb3_lower_limb_target_y * t62)
-        minus_limb3_lower_limb_target_z = 0.8 - (t30 + t31)
+        minus_limb3_lower_limb_target_z = param_R - (t30 + t31)
         limb3_lower_limb_length = np.sqrt(t61 + minus_limb3_lower_limb_target_z * minus_limb3_lower_limb_target_z)
         t65 = 1.0 / limb3_lower_limb_length
         limb3_lower_cos = minus_limb3_U_0_lever_mz_by_limb3_S_fz * t65
         t66 = 0.5 * limb3_lower_cos
         minus_limb3_lower_sin = minus_limb3_lower_limb_target_z * t65
-        t68 = t66 - 0.8660254037844386 * minus_limb3_lower_sin
-        limb3_U_q_1 = np.arctan2(t68, 0.8660254037844386 * limb3_lower_cos + 0.5 * minus_limb3_lower_sin)
-        limb3_P_q = limb3_lower_limb_length - 0.3
+        limb3_U_q_1 = (
+            np.arctan2(t66 - k1 * minus_limb3_lower_sin, k1 * limb3_lower_cos + 0.5 * minus_limb3_lower_sin)
+        )
+        limb3_P_q = limb3_lower_limb_length - limb_upper_phase
         # limb4: geometry; reciprocal wrenches, eq. (10); results
         limb4_lower_limb_target_y = t31 + t41
         limb4_lower_limb_target_x = t25 + t42
@@ -11950,24 +13426,26 @@ def inverse_kinematics(*arguments):
         limb4_U_0_lever_mz_by_limb4_S_fz = np.sqrt(t74)
         t75 = 1.0 / limb4_U_0_lever_mz_by_limb4_S_fz
         limb4_U_q_0 = np.arctan2(limb4_lower_limb_target_y * t75, limb4_lower_limb_target_x * t75)
-        minus_limb4_lower_limb_target_z = 0.8 - (t18 + t49)
+        minus_limb4_lower_limb_target_z = param_R - (t18 + t49)
         limb4_lower_limb_length = np.sqrt(t74 + minus_limb4_lower_limb_target_z * minus_limb4_lower_limb_target_z)
         t78 = 1.0 / limb4_lower_limb_length
         minus_limb4_lower_sin = minus_limb4_lower_limb_target_z * t78
-        t79 = 0.8660254037844386 * minus_limb4_lower_sin
+        t79 = k1 * minus_limb4_lower_sin
         minus_limb4_lower_cos = limb4_U_0_lever_mz_by_limb4_S_fz * t78
-        t81 = t79 - 0.5 * minus_limb4_lower_cos
-        limb4_U_q_1 = np.arctan2(t81, 0.8660254037844386 * minus_limb4_lower_cos + 0.5 * minus_limb4_lower_sin)
-        limb4_P_q = limb4_lower_limb_length - 0.3
+        limb4_U_q_1 = (
+            np.arctan2(t79 - 0.5 * minus_limb4_lower_cos, k1 * minus_limb4_lower_cos + 0.5 * minus_limb4_lower_sin)
+        )
+        limb4_P_q = limb4_lower_limb_length - limb_upper_phase
         t88 = limb1_lower_sin * (platform_turn_yy * limb1_U_0_sin + platform_turn_zy * minus_limb1_U_0_cos)  # limb1
         limb1_U2_opening_mn = t88 + platform_turn_xy * limb1_lower_cos
         t90 = limb1_U2_opening_mn * limb1_U2_opening_mn
+        guards = ()
         return _finish(batch, ((limb1_U_q_0, limb1_U_q_1, limb1_P_q, limb2_U_q_0, limb2_U_q_1,
             limb2_P_q, limb3_U_q_0, limb3_U_q_1, limb3_P_q, limb4_U_q_0, limb4_U_q_1, limb4_P_q,
-            limb5_S_pose_qw, limb5_S_pose_qx, limb5_S_pose_qy, limb5_S_pose_qz),), (), (limb1_U_q_0,
-            limb1_U_q_1, limb1_P_q, limb2_U_q_0, limb2_U_q_1, limb2_P_q, limb3_U_q_0, limb3_U_q_1,
-            limb3_P_q, limb4_U_q_0, limb4_U_q_1, limb4_P_q), ((t7, 0.999999, 1.000001, 5), (t90,
-            None, 1.0e-12, 6)))
+            limb5_S_pose_qw, limb5_S_pose_qx, limb5_S_pose_qy, limb5_S_pose_qz),), guards,
+            (limb1_U_q_0, limb1_U_q_1, limb1_P_q, limb2_U_q_0, limb2_U_q_1, limb2_P_q, limb3_U_q_0,
+            limb3_U_q_1, limb3_P_q, limb4_U_q_0, limb4_U_q_1, limb4_P_q), ((t7, 0.999999, 1.000001,
+            5), (t90, None, 1.0e-12, 6)))
 
 
 def drive_positions(*arguments):
@@ -12007,20 +13485,20 @@ def drive_positions(*arguments):
         t14 = 0.5 * (t11 + t13)
         t15 = limb5_S_pose_qy * t12
         t17 = limb5_S_pose_qw * (limb5_S_pose_qx * t9)
-        t18 = 0.5196152422706631 * (t15 - t17)
+        t18 = param_H * (t15 - t17)
         minus_limb1_lower_limb_target_x = t14 - t18
         t19 = minus_limb1_lower_limb_target_x * minus_limb1_lower_limb_target_x  # limb1
         t20 = limb5_S_pose_qx * t12
         t21 = limb5_S_pose_qw * t10
         t22 = 0.5 * (t20 - t21)
-        t25 = 0.5196152422706631 * (1.0 - t9 * (t2 + t4))
+        t25 = param_H * (1.0 - t9 * (t2 + t4))
         minus_limb1_lower_limb_target_y = t22 - t25
         t27 = t19 + minus_limb1_lower_limb_target_y * minus_limb1_lower_limb_target_y  # limb1
         t29 = 0.5 * (1.0 - t6 * t9)
-        t30 = 0.5196152422706631 * (t20 + t21)
-        limb1_lower_limb_target_z = 0.8 - (t29 - t30)
+        t30 = param_H * (t20 + t21)
+        limb1_lower_limb_target_z = param_R - (t29 - t30)
         limb1_lower_limb_length = np.sqrt(t27 + limb1_lower_limb_target_z * limb1_lower_limb_target_z)
-        limb1_P_positions = limb1_lower_limb_length - 0.3
+        limb1_P_positions = limb1_lower_limb_length - limb_upper_phase
         platform_turn_zy = t15 + t17
         t33 = 0.5 * platform_turn_zy
         limb2_lower_limb_target_x = t25 - t33
@@ -12031,20 +13509,24 @@ def drive_positions(*arguments):
         t37 = t34 + limb2_lower_limb_target_y * limb2_lower_limb_target_y  # limb2
         platform_turn_yy = 1.0 - t9 * (t2 + t5)
         t40 = 0.5 * platform_turn_yy
-        limb2_lower_limb_target_z = 0.8 + (t18 - t40)
-        limb2_P_positions = np.sqrt(t37 + limb2_lower_limb_target_z * limb2_lower_limb_target_z) - 0.3
+        limb2_lower_limb_target_z = param_R + (t18 - t40)
+        limb2_P_positions = np.sqrt(t37 + limb2_lower_limb_target_z * limb2_lower_limb_target_z) - limb_upper_phase
         limb3_lower_limb_target_x = t14 + t18
         t43 = limb3_lower_limb_target_x * limb3_lower_limb_target_x  # limb3
         limb3_lower_limb_target_y = t22 + t25
         t45 = t43 + limb3_lower_limb_target_y * limb3_lower_limb_target_y  # limb3
-        minus_limb3_lower_limb_target_z = 0.8 - (t29 + t30)
-        limb3_P_positions = np.sqrt(t45 + minus_limb3_lower_limb_target_z * minus_limb3_lower_limb_target_z) - 0.3
+        minus_limb3_lower_limb_target_z = param_R - (t29 + t30)
+        limb3_P_positions = (
+            np.sqrt(t45 + minus_limb3_lower_limb_target_z * minus_limb3_lower_limb_target_z) - limb_upper_phase
+        )
         limb4_lower_limb_target_x = t25 + t33
         t48 = limb4_lower_limb_target_x * limb4_lower_limb_target_x  # limb4
         limb4_lower_limb_target_y = t30 + t35
         t50 = t48 + limb4_lower_limb_target_y * limb4_lower_limb_target_y  # limb4
-        minus_limb4_lower_limb_target_z = 0.8 - (t18 + t40)
-        limb4_P_positions = np.sqrt(t50 + minus_limb4_lower_limb_target_z * minus_limb4_lower_limb_target_z) - 0.3
+        minus_limb4_lower_limb_target_z = param_R - (t18 + t40)
+        limb4_P_positions = (
+            np.sqrt(t50 + minus_limb4_lower_limb_target_z * minus_limb4_lower_limb_target_z) - limb_upper_phase
+        )
         t53 = 1.0 / limb1_lower_limb_length  # limb1
         limb1_lower_sin = limb1_lower_limb_target_z * t53
         minus_limb1_U_0_lever_mz_by_limb1_U2_fz = np.sqrt(t27)
@@ -12053,8 +13535,9 @@ def drive_positions(*arguments):
         t58 = limb1_lower_sin * (t55 + platform_turn_zy * (minus_limb1_lower_limb_target_y * t54))  # limb1
         limb1_U2_opening_mn = t58 + platform_turn_xy * (minus_limb1_U_0_lever_mz_by_limb1_U2_fz * t53)
         t60 = limb1_U2_opening_mn * limb1_U2_opening_mn
+        guards = ()
         return _finish(batch, ((limb1_P_positions, limb2_P_positions, limb3_P_positions,
-            limb4_P_positions),), (), (limb1_P_positions, limb2_P_positions, limb3_P_positions,
+            limb4_P_positions),), guards, (limb1_P_positions, limb2_P_positions, limb3_P_positions,
             limb4_P_positions), ((t7, 0.999999, 1.000001, 5), (t60, None, 1.0e-12, 6)))
 
 
@@ -12104,7 +13587,7 @@ def inverse_velocity(*arguments):
         t15 = limb5_S_pose_qy * t12
         t17 = limb5_S_pose_qw * (limb5_S_pose_qx * t9)
         platform_turn_yz = t15 - t17
-        t18 = 0.5196152422706631 * platform_turn_yz
+        t18 = param_H * platform_turn_yz
         minus_limb1_lower_limb_target_x = t14 - t18
         t19 = minus_limb1_lower_limb_target_x * minus_limb1_lower_limb_target_x  # limb1
         t20 = limb5_S_pose_qx * t12
@@ -12112,7 +13595,7 @@ def inverse_velocity(*arguments):
         platform_turn_zx = t20 - t21
         t22 = 0.5 * platform_turn_zx
         platform_turn_zz = 1.0 - t9 * (t2 + t4)
-        t25 = 0.5196152422706631 * platform_turn_zz
+        t25 = param_H * platform_turn_zz
         minus_limb1_lower_limb_target_y = t22 - t25
         t27 = t19 + minus_limb1_lower_limb_target_y * minus_limb1_lower_limb_target_y  # limb1
         minus_limb1_U_0_lever_mz_by_limb1_U2_fz = np.sqrt(t27)
@@ -12120,7 +13603,7 @@ def inverse_velocity(*arguments):
         platform_turn_xx = 1.0 - t6 * t9
         t30 = 0.5 * platform_turn_xx
         platform_turn_xz = t20 + t21
-        t31 = 0.5196152422706631 * platform_turn_xz
+        t31 = param_H * platform_turn_xz
         minus_limb1_upper_position_x = t30 - t31
         t32 = limb5_S_rate_wz * platform_turn_zz
         t33 = limb5_S_rate_wx * platform_turn_zx
@@ -12142,7 +13625,7 @@ def inverse_velocity(*arguments):
         limb1_U_0_sin = minus_limb1_lower_limb_target_x * t28
         minus_limb1_U_0_omega_z = t28 * (t43 - t52 * limb1_U_0_sin)
         limb1_U_0_omega_z = -minus_limb1_U_0_omega_z
-        limb1_lower_limb_target_z = 0.8 - minus_limb1_upper_position_x
+        limb1_lower_limb_target_z = param_R - minus_limb1_upper_position_x
         limb1_lower_limb_length = np.sqrt(t27 + limb1_lower_limb_target_z * limb1_lower_limb_target_z)
         t56 = 1.0 / limb1_lower_limb_length
         limb1_lower_sin = limb1_lower_limb_target_z * t56
@@ -12172,7 +13655,7 @@ def inverse_velocity(*arguments):
         limb2_U_0_sin = limb2_lower_limb_target_x * t72
         minus_limb2_U_0_omega_z = t72 * (t77 - t80 * limb2_U_0_sin)
         limb2_U_0_omega_z = -minus_limb2_U_0_omega_z
-        limb2_lower_limb_target_z = 0.8 + limb2_upper_position_y
+        limb2_lower_limb_target_z = param_R + limb2_upper_position_y
         limb2_lower_limb_length = np.sqrt(t71 + limb2_lower_limb_target_z * limb2_lower_limb_target_z)
         t84 = 1.0 / limb2_lower_limb_length
         limb2_lower_sin = limb2_lower_limb_target_z * t84
@@ -12197,7 +13680,7 @@ def inverse_velocity(*arguments):
         minus_limb3_U_0_sin = limb3_lower_limb_target_x * t98
         minus_limb3_U_0_omega_z = t98 * (t102 - t105 * minus_limb3_U_0_sin)
         limb3_U_0_omega_z = -minus_limb3_U_0_omega_z
-        minus_limb3_lower_limb_target_z = 0.8 - limb3_upper_position_x
+        minus_limb3_lower_limb_target_z = param_R - limb3_upper_position_x
         limb3_lower_limb_length = np.sqrt(t97 + minus_limb3_lower_limb_target_z * minus_limb3_lower_limb_target_z)
         t109 = 1.0 / limb3_lower_limb_length
         minus_limb3_lower_sin = minus_limb3_lower_limb_target_z * t109
@@ -12222,7 +13705,7 @@ def inverse_velocity(*arguments):
         limb4_U_0_sin = limb4_lower_limb_target_x * t123
         minus_limb4_U_0_omega_z = t123 * (t127 - t130 * limb4_U_0_sin)
         limb4_U_0_omega_z = -minus_limb4_U_0_omega_z
-        minus_limb4_lower_limb_target_z = 0.8 - limb4_upper_position_y
+        minus_limb4_lower_limb_target_z = param_R - limb4_upper_position_y
         limb4_lower_limb_length = np.sqrt(t122 + minus_limb4_lower_limb_target_z * minus_limb4_lower_limb_target_z)
         t134 = 1.0 / limb4_lower_limb_length
         minus_limb4_lower_sin = minus_limb4_lower_limb_target_z * t134
@@ -12233,20 +13716,31 @@ def inverse_velocity(*arguments):
         minus_limb4_lower_omega_z = t134 * (t138 + t141 * minus_limb4_lower_cos)
         limb4_lower_omega_z = -minus_limb4_lower_omega_z
         minus_limb4_S_opening_rate_fx = minus_limb4_lower_cos * t137 - t141 * minus_limb4_lower_sin
-        t148 = limb1_lower_sin * (platform_turn_yy * limb1_U_0_sin + platform_turn_zy * minus_limb1_U_0_cos)  # limb1
+        t148 = (
+            limb1_lower_sin * (platform_turn_yy * limb1_U_0_sin + platform_turn_zy * minus_limb1_U_0_cos)
+        )  # limb1
         limb1_U2_opening_mn = t148 + platform_turn_xy * limb1_lower_cos
         t150 = limb1_U2_opening_mn * limb1_U2_opening_mn
+        guards = (  # status 1 where a pivot is smaller than its limit:
+            (limb3_lower_limb_length, 6.62327e-10),  # where the points of limb3_lower coincide
+            (limb2_lower_limb_length, 6.62327e-10),  # where the points of limb2_lower coincide
+            (limb4_lower_limb_length, 6.62327e-10),  # where the points of limb4_lower coincide
+            (limb1_lower_limb_length, 6.62327e-10),  # where the points of limb1_lower coincide
+            (minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-10),  # where the reciprocal wrench limb3_S.fz has no
+            # power along limb3_U.0, as in a stretched limb
+            (limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-10),  # where the reciprocal wrench limb2_S.fz has no power
+            # along limb2_U.0, as in a stretched limb
+            (limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-10),  # where the reciprocal wrench limb4_S.fz has no power
+            # along limb4_U.0, as in a stretched limb
+            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-10),  # where the reciprocal wrench limb1_U2.fz has
+            # no power along limb1_U.0, as in a stretched limb
+        )
         return _finish(batch, ((limb1_U_0_omega_z, limb1_lower_omega_z,
             minus_limb1_U2_opening_rate_fx, limb2_U_0_omega_z, limb2_lower_omega_z,
             minus_limb2_S_opening_rate_fx, limb3_U_0_omega_z, limb3_lower_omega_z,
             minus_limb3_S_opening_rate_fx, limb4_U_0_omega_z, limb4_lower_omega_z,
             minus_limb4_S_opening_rate_fx, limb5_S_rate_wx, limb5_S_rate_wy, limb5_S_rate_wz),),
-            ((limb3_lower_limb_length, 6.62327e-10), (limb2_lower_limb_length, 6.62327e-10),
-            (limb4_lower_limb_length, 6.62327e-10), (limb1_lower_limb_length, 6.62327e-10),
-            (minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-10),
-            (limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-10), (limb4_U_0_lever_mz_by_limb4_S_fz,
-            6.62327e-10), (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-10)),
-            (minus_limb1_U_0_omega_z, limb1_lower_limb_length, minus_limb1_lower_omega_z,
+            guards, (minus_limb1_U_0_omega_z, limb1_lower_limb_length, minus_limb1_lower_omega_z,
             minus_limb1_U2_opening_rate_fx, minus_limb2_U_0_omega_z, limb2_lower_limb_length,
             limb2_lower_omega_z, minus_limb2_S_opening_rate_fx, minus_limb3_U_0_omega_z,
             limb3_lower_limb_length, limb3_lower_omega_z, minus_limb3_S_opening_rate_fx,
@@ -12278,7 +13772,8 @@ def inverse_dynamics_platform(*arguments):
     Note: 2 more drives than freedoms: the drives of smallest sum of squares; inverse_dynamics_preload
       takes weights and an internal preload
     """
-    entries, batch = _entries("inverse_dynamics_platform", {"pose": 4, "rate": 3, "acceleration": 3}, arguments)
+    entries, batch = _entries("inverse_dynamics_platform", {"pose": 4, "rate": 3, "acceleration":
+        3}, arguments)
     (
         limb5_S_pose_qw, limb5_S_pose_qx, limb5_S_pose_qy, limb5_S_pose_qz, limb5_S_rate_wx,
         limb5_S_rate_wy, limb5_S_rate_wz, limb5_S_acc_wx, limb5_S_acc_wy, limb5_S_acc_wz,
@@ -12300,14 +13795,14 @@ def inverse_dynamics_platform(*arguments):
         platform_turn_zx = t11 - t13
         t14 = 0.5 * platform_turn_zx
         platform_turn_zz = 1.0 - t9 * (t2 + t4)
-        t17 = 0.5196152422706631 * platform_turn_zz
+        t17 = param_H * platform_turn_zz
         minus_limb1_lower_limb_target_y = t14 - t17
         platform_turn_xx = 1.0 - t6 * t9
         t19 = 0.5 * platform_turn_xx
         platform_turn_xz = t11 + t13
-        t20 = 0.5196152422706631 * platform_turn_xz
+        t20 = param_H * platform_turn_xz
         minus_limb1_upper_position_x = t19 - t20
-        limb1_lower_limb_target_z = 0.8 - minus_limb1_upper_position_x
+        limb1_lower_limb_target_z = param_R - minus_limb1_upper_position_x
         t21 = limb5_S_pose_qx * t12
         t22 = limb5_S_pose_qw * t10
         platform_turn_yx = t21 + t22
@@ -12315,7 +13810,7 @@ def inverse_dynamics_platform(*arguments):
         t24 = limb5_S_pose_qy * t10
         t26 = limb5_S_pose_qw * (limb5_S_pose_qx * t9)
         platform_turn_yz = t24 - t26
-        t27 = 0.5196152422706631 * platform_turn_yz
+        t27 = param_H * platform_turn_yz
         # limb1: geometry; reciprocal wrenches, eq. (10); balance, eqs. (40)-(47)
         minus_limb1_lower_limb_target_x = t23 - t27
         t28 = minus_limb1_lower_limb_target_x * minus_limb1_lower_limb_target_x
@@ -12339,7 +13834,9 @@ def inverse_dynamics_platform(*arguments):
         platform_turn_xy = t21 - t22
         limb1_U2_constraint_mn_couple_z = t42 - platform_turn_xy * limb1_lower_sin
         t44 = minus_limb1_U_0_cos * limb1_U2_constraint_mn_couple_z
-        minus_limb1_U2_constraint_mn_couple_x = platform_turn_yy * minus_limb1_U_0_cos - platform_turn_zy * limb1_U_0_sin
+        minus_limb1_U2_constraint_mn_couple_x = (
+            platform_turn_yy * minus_limb1_U_0_cos - platform_turn_zy * limb1_U_0_sin
+        )
         minus_limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * minus_limb1_U2_constraint_mn_couple_x
         minus_base_lever_my_by_limb1_U2_mn = t44 - limb1_U_0_sin * minus_limb1_U_0_lever_my_by_limb1_U2_mn
         minus_limb1_U2_part_fy_by_limb1_U2_mn = t33 * limb1_U2_constraint_mn_couple_z
@@ -12360,14 +13857,24 @@ def inverse_dynamics_platform(*arguments):
         limb1_U_0_joint_force_fx_by_limb1_U2_mn = limb1_U_0_sin * minus_limb1_U_0_force_y_by_limb1_U2_mn
         t59 = limb1_U_0_joint_force_fx_by_limb1_U2_mn - minus_limb1_U_0_cos * minus_limb1_U2_part_fz_by_limb1_U2_mn
         t60 = minus_limb1_upper_position_x * t59
-        platform_joint_force_mz_by_limb1_U2_mn = base_lever_mz_by_limb1_U2_mn + (t60 - minus_limb1_lower_limb_target_x * limb1_U_0_force_z_by_limb1_U2_mn)
+        platform_joint_force_mz_by_limb1_U2_mn = (
+            base_lever_mz_by_limb1_U2_mn + (t60 - minus_limb1_lower_limb_target_x *
+            limb1_U_0_force_z_by_limb1_U2_mn)
+        )
         t63 = 1.0 / platform_joint_force_mz_by_limb1_U2_mn
         limb1_U2_part_mn_by_limb1_P = minus_limb1_U2_closure_fx_by_limb5_S_wz * t63
         limb5_S_balance_wy_by_limb1_P = limb1_U2_closure_fx_by_limb5_S_wy - t53 * limb1_U2_part_mn_by_limb1_P
         t65 = minus_limb1_lower_limb_target_x * minus_base_lever_fz_by_limb1_U2_fx  # limb1
-        minus_limb1_U2_closure_fx_by_limb5_S_wx = t65 - minus_limb1_lower_limb_target_y * minus_base_lever_fy_by_limb1_U2_fx
-        t70 = minus_limb1_U_0_lever_mz_by_limb1_U2_mn - (minus_limb1_lower_limb_target_x * t50 - minus_limb1_lower_limb_target_y * t59)
-        minus_limb5_S_balance_wx_by_limb1_P = minus_limb1_U2_closure_fx_by_limb5_S_wx + t70 * limb1_U2_part_mn_by_limb1_P
+        minus_limb1_U2_closure_fx_by_limb5_S_wx = (
+            t65 - minus_limb1_lower_limb_target_y * minus_base_lever_fy_by_limb1_U2_fx
+        )
+        t70 = (
+            minus_limb1_U_0_lever_mz_by_limb1_U2_mn - (minus_limb1_lower_limb_target_x * t50 -
+            minus_limb1_lower_limb_target_y * t59)
+        )
+        minus_limb5_S_balance_wx_by_limb1_P = (
+            minus_limb1_U2_closure_fx_by_limb5_S_wx + t70 * limb1_U2_part_mn_by_limb1_P
+        )
         t72 = minus_limb5_S_balance_wx_by_limb1_P * minus_limb5_S_balance_wx_by_limb1_P
         t73 = 0.5 * platform_turn_yy
         # limb2: geometry; reciprocal wrenches, eq. (10); loop closure
@@ -12381,7 +13888,7 @@ def inverse_dynamics_platform(*arguments):
         limb2_U_0_lever_mz_by_limb2_S_fz = np.sqrt(t78)
         t79 = 1.0 / limb2_U_0_lever_mz_by_limb2_S_fz
         limb2_U_0_sin = limb2_lower_limb_target_x * t79
-        limb2_lower_limb_target_z = 0.8 + limb2_upper_position_y
+        limb2_lower_limb_target_z = param_R + limb2_upper_position_y
         limb2_lower_limb_length = np.sqrt(t78 + limb2_lower_limb_target_z * limb2_lower_limb_target_z)
         t82 = 1.0 / limb2_lower_limb_length
         minus_limb2_lower_cos = limb2_U_0_lever_mz_by_limb2_S_fz * t82
@@ -12393,7 +13900,9 @@ def inverse_dynamics_platform(*arguments):
         minus_limb2_U_0_cos = limb2_lower_limb_target_y * t79
         base_lever_fx_by_limb2_S_fx = minus_limb2_U_0_cos * minus_limb2_lower_cos
         limb1_U2_part_mn_by_limb2_P = (t85 - limb2_upper_position_y * base_lever_fx_by_limb2_S_fx) * t63
-        minus_limb5_S_balance_wx_by_limb2_P = minus_limb2_S_closure_fx_by_limb5_S_wx + t70 * limb1_U2_part_mn_by_limb2_P
+        minus_limb5_S_balance_wx_by_limb2_P = (
+            minus_limb2_S_closure_fx_by_limb5_S_wx + t70 * limb1_U2_part_mn_by_limb2_P
+        )
         t89 = t72 + minus_limb5_S_balance_wx_by_limb2_P * minus_limb5_S_balance_wx_by_limb2_P  # limb5_S
         # limb3: geometry; reciprocal wrenches, eq. (10); loop closure
         limb3_lower_limb_target_x = t23 + t27
@@ -12404,7 +13913,7 @@ def inverse_dynamics_platform(*arguments):
         t93 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
         limb3_U_0_cos = limb3_lower_limb_target_y * t93
         limb3_upper_position_x = t19 + t20
-        minus_limb3_lower_limb_target_z = 0.8 - limb3_upper_position_x
+        minus_limb3_lower_limb_target_z = param_R - limb3_upper_position_x
         limb3_lower_limb_length = np.sqrt(t92 + minus_limb3_lower_limb_target_z * minus_limb3_lower_limb_target_z)
         t96 = 1.0 / limb3_lower_limb_length
         limb3_lower_cos = minus_limb3_U_0_lever_mz_by_limb3_S_fz * t96
@@ -12416,7 +13925,9 @@ def inverse_dynamics_platform(*arguments):
         t99 = limb3_upper_position_x * base_lever_fy_by_limb3_S_fx
         minus_limb3_lower_sin = minus_limb3_lower_limb_target_z * t96
         limb1_U2_part_mn_by_limb3_P = (t99 + limb3_lower_limb_target_x * minus_limb3_lower_sin) * t63
-        minus_limb5_S_balance_wx_by_limb3_P = minus_limb3_S_closure_fx_by_limb5_S_wx + t70 * limb1_U2_part_mn_by_limb3_P
+        minus_limb5_S_balance_wx_by_limb3_P = (
+            minus_limb3_S_closure_fx_by_limb5_S_wx + t70 * limb1_U2_part_mn_by_limb3_P
+        )
         t103 = t89 + minus_limb5_S_balance_wx_by_limb3_P * minus_limb5_S_balance_wx_by_limb3_P  # limb5_S
         # limb4: geometry; reciprocal wrenches, eq. (10); loop closure
         limb4_upper_position_y = t27 + t73
@@ -12427,7 +13938,7 @@ def inverse_dynamics_platform(*arguments):
         limb4_U_0_lever_mz_by_limb4_S_fz = np.sqrt(t106)
         t107 = 1.0 / limb4_U_0_lever_mz_by_limb4_S_fz
         limb4_U_0_sin = limb4_lower_limb_target_x * t107
-        minus_limb4_lower_limb_target_z = 0.8 - limb4_upper_position_y
+        minus_limb4_lower_limb_target_z = param_R - limb4_upper_position_y
         limb4_lower_limb_length = np.sqrt(t106 + minus_limb4_lower_limb_target_z * minus_limb4_lower_limb_target_z)
         t110 = 1.0 / limb4_lower_limb_length
         minus_limb4_lower_cos = limb4_U_0_lever_mz_by_limb4_S_fz * t110
@@ -12440,19 +13951,27 @@ def inverse_dynamics_platform(*arguments):
         # platform: balance, eqs. (40)-(47); drives; momentum rate, eq. (35)
         base_lever_fx_by_limb4_S_fx = minus_limb4_U_0_cos * minus_limb4_lower_cos
         minus_limb1_U2_part_mn_by_limb4_P = (t113 + limb4_upper_position_y * base_lever_fx_by_limb4_S_fx) * t63
-        minus_limb5_S_balance_wx_by_limb4_P = minus_limb4_S_closure_fx_by_limb5_S_wx - t70 * minus_limb1_U2_part_mn_by_limb4_P
+        minus_limb5_S_balance_wx_by_limb4_P = (
+            minus_limb4_S_closure_fx_by_limb5_S_wx - t70 * minus_limb1_U2_part_mn_by_limb4_P
+        )
         drives_share_0_0 = t103 + minus_limb5_S_balance_wx_by_limb4_P * minus_limb5_S_balance_wx_by_limb4_P
         t117 = limb5_S_balance_wy_by_limb1_P * limb5_S_balance_wy_by_limb1_P
         t118 = limb2_lower_limb_target_x * base_lever_fx_by_limb2_S_fx  # limb2
         minus_limb2_S_closure_fx_by_limb5_S_wy = t118 - limb2_lower_limb_target_y * base_lever_fz_by_limb2_S_fx
-        minus_limb5_S_balance_wy_by_limb2_P = minus_limb2_S_closure_fx_by_limb5_S_wy + t53 * limb1_U2_part_mn_by_limb2_P
+        minus_limb5_S_balance_wy_by_limb2_P = (
+            minus_limb2_S_closure_fx_by_limb5_S_wy + t53 * limb1_U2_part_mn_by_limb2_P
+        )
         t122 = t117 + minus_limb5_S_balance_wy_by_limb2_P * minus_limb5_S_balance_wy_by_limb2_P
         t123 = limb3_lower_limb_target_y * minus_limb3_lower_sin  # limb3
-        limb5_S_balance_wy_by_limb3_P = t123 + limb3_upper_position_x * base_lever_fz_by_limb3_S_fx - t53 * limb1_U2_part_mn_by_limb3_P
+        limb5_S_balance_wy_by_limb3_P = (
+            t123 + limb3_upper_position_x * base_lever_fz_by_limb3_S_fx - t53 * limb1_U2_part_mn_by_limb3_P
+        )
         t127 = t122 + limb5_S_balance_wy_by_limb3_P * limb5_S_balance_wy_by_limb3_P
         t128 = limb4_lower_limb_target_x * base_lever_fx_by_limb4_S_fx  # limb4
         minus_limb4_S_closure_fx_by_limb5_S_wy = t128 - limb4_lower_limb_target_y * base_lever_fz_by_limb4_S_fx
-        minus_limb5_S_balance_wy_by_limb4_P = minus_limb4_S_closure_fx_by_limb5_S_wy - t53 * minus_limb1_U2_part_mn_by_limb4_P
+        minus_limb5_S_balance_wy_by_limb4_P = (
+            minus_limb4_S_closure_fx_by_limb5_S_wy - t53 * minus_limb1_U2_part_mn_by_limb4_P
+        )
         drives_share_1_1 = t127 + minus_limb5_S_balance_wy_by_limb4_P * minus_limb5_S_balance_wy_by_limb4_P
         t132 = drives_share_0_0 * drives_share_1_1
         t133 = minus_limb5_S_balance_wx_by_limb1_P * limb5_S_balance_wy_by_limb1_P
@@ -12461,15 +13980,15 @@ def inverse_dynamics_platform(*arguments):
         minus_drives_share_0_1 = t137 - minus_limb5_S_balance_wx_by_limb4_P * minus_limb5_S_balance_wy_by_limb4_P
         value_determinant = t132 - minus_drives_share_0_1 * minus_drives_share_0_1
         t140 = 1.0 / value_determinant
-        minus_platform_moment_x = 14.62961126155784 * platform_turn_zy
+        minus_platform_moment_x = gravity_z_platform_mz * platform_turn_zy
         platform_U_still_yz = limb5_S_rate_wy * limb5_S_rate_wz
-        minus_platform_rate_mx = minus_platform_moment_x - (22.6251 * platform_U_still_yz + 69.4749 * limb5_S_acc_wx)
+        minus_platform_rate_mx = minus_platform_moment_x - (k12 * platform_U_still_yz + k13 * limb5_S_acc_wx)
         t144 = platform_turn_yx * minus_platform_rate_mx
-        platform_moment_y = 14.62961126155784 * platform_turn_zx
+        platform_moment_y = gravity_z_platform_mz * platform_turn_zx
         platform_U_still_xz = limb5_S_rate_wx * limb5_S_rate_wz
-        platform_rate_my = platform_moment_y - (22.6251 * platform_U_still_xz - 69.4749 * limb5_S_acc_wy)
+        platform_rate_my = platform_moment_y - (k12 * platform_U_still_xz - k13 * limb5_S_acc_wy)
         t149 = t144 - platform_turn_yy * platform_rate_my
-        platform_rate_mz = 92.1 * limb5_S_acc_wz
+        platform_rate_mz = platform_Izz * limb5_S_acc_wz
         t151 = t149 - platform_turn_yz * platform_rate_mz
         t152 = limb5_S_rate_wz * platform_turn_zz
         platform_twist_wz = t152 + (limb5_S_rate_wx * platform_turn_zx + limb5_S_rate_wy * platform_turn_zy)
@@ -12490,7 +14009,7 @@ def inverse_dynamics_platform(*arguments):
         minus_limb1_U2_opening_rate_fx = t173 - t176 * limb1_lower_sin
         minus_limb1_lower_omega_z = t33 * (limb1_lower_sin * t172 + t176 * limb1_lower_cos)
         t181 = minus_limb1_U2_opening_rate_fx * (2.0 * minus_limb1_lower_omega_z)
-        minus_limb1_U_0_acc_y = 9.81 * minus_limb1_U_0_cos
+        minus_limb1_U_0_acc_y = gravity_z * minus_limb1_U_0_cos
         limb1_lower_acc_y = limb1_lower_sin * minus_limb1_U_0_acc_y
         minus_limb1_U_0_omega_z = t35 * (t162 * minus_limb1_U_0_cos - t170 * limb1_U_0_sin)
         minus_limb1_lower_omega_x = limb1_lower_sin * minus_limb1_U_0_omega_z
@@ -12514,52 +14033,60 @@ def inverse_dynamics_platform(*arguments):
         t195 = t193 - platform_turn_yy * minus_platform_U_yz
         t196 = limb5_S_rate_wx * limb5_S_rate_wx
         minus_platform_U_still_zz = t196 + t185
-        t199 = 0.5196152422706631 * (t195 - platform_turn_yz * minus_platform_U_still_zz)
+        t199 = param_H * (t195 - platform_turn_yz * minus_platform_U_still_zz)
         t200 = t192 + t199
         t201 = limb1_U_0_sin * t200  # limb1
         t204 = platform_turn_zx * minus_platform_U_still_xx - platform_turn_zy * platform_U_yx
         t207 = 0.5 * (t204 + platform_turn_zz * minus_platform_U_zx)
         t210 = platform_turn_zx * platform_U_xz - platform_turn_zy * minus_platform_U_yz
-        t213 = 0.5196152422706631 * (t210 - platform_turn_zz * minus_platform_U_still_zz)
+        t213 = param_H * (t210 - platform_turn_zz * minus_platform_U_still_zz)
         t214 = t207 + t213
         t216 = t201 + minus_limb1_U_0_cos * t214  # limb1
         t217 = limb1_lower_sin * t216  # limb1
         t220 = platform_turn_xx * minus_platform_U_still_xx - platform_turn_xy * platform_U_yx
         t223 = 0.5 * (t220 + platform_turn_xz * minus_platform_U_zx)
         t226 = platform_turn_xx * platform_U_xz - platform_turn_xy * minus_platform_U_yz
-        t229 = 0.5196152422706631 * (t226 - platform_turn_xz * minus_platform_U_still_zz)
+        t229 = param_H * (t226 - platform_turn_xz * minus_platform_U_still_zz)
         t230 = t223 + t229
         # limb1: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
         minus_limb1_lower_alpha_z = t33 * (limb1_upper_acc_y - (t217 + limb1_lower_cos * t230))
         limb1_lower_U_yx = limb1_lower_U_xy - minus_limb1_lower_alpha_z
         minus_limb1_upper_acc_y = t181 - (limb1_lower_acc_y + limb1_lower_limb_length * limb1_lower_U_yx)
-        limb1_upper_rate_mz = 0.213 * minus_limb1_upper_acc_y
-        t236 = limb1_upper_rate_mz - limb1_lower_limb_length * (1.42 * minus_limb1_upper_acc_y + 0.213 * limb1_lower_U_yx)
-        limb1_lower_moment_z = t236 - (2.3439 * minus_limb1_lower_alpha_z - 2.2727 * limb1_lower_U_xy - 0.213 * limb1_lower_acc_y)
+        limb1_upper_rate_mz = limb_lower_mx * minus_limb1_upper_acc_y
+        t235 = limb1_lower_limb_length * (limb_lower_m * minus_limb1_upper_acc_y + limb_lower_mx * limb1_lower_U_yx)
+        t236 = limb1_upper_rate_mz - t235
+        limb1_lower_moment_z = (
+            t236 - (k9 * minus_limb1_lower_alpha_z - k8 * limb1_lower_U_xy - limb_lower_mx * limb1_lower_acc_y)
+        )
         limb1_U2_part_fy = t33 * limb1_lower_moment_z
         t241 = limb1_lower_cos * limb1_U2_part_fy
         t242 = minus_limb1_lower_omega_y * minus_limb1_lower_omega_y
         minus_limb1_lower_U_xx = t242 + minus_limb1_lower_omega_z * minus_limb1_lower_omega_z
         minus_limb1_upper_acc_x = limb1_lower_limb_length * minus_limb1_lower_U_xx
         minus_limb1_U2_opening_bias_fx = minus_limb1_upper_acc_x - (limb1_lower_cos * t216 - limb1_lower_sin * t230)
-        limb1_upper_acc_x = minus_limb1_U2_opening_bias_fx - (minus_limb1_upper_acc_x + limb1_lower_cos * minus_limb1_U_0_acc_y)
-        limb1_upper_rate_fx = 1.42 * limb1_upper_acc_x + 0.213 * minus_limb1_lower_U_xx
+        limb1_upper_acc_x = (
+            minus_limb1_U2_opening_bias_fx - (minus_limb1_upper_acc_x + limb1_lower_cos * minus_limb1_U_0_acc_y)
+        )
+        limb1_upper_rate_fx = limb_lower_m * limb1_upper_acc_x + limb_lower_mx * minus_limb1_lower_U_xx
         t249 = t241 + limb1_lower_sin * limb1_upper_rate_fx
         t250 = minus_limb1_lower_limb_target_y * t249
-        t251 = limb1_lower_sin * (0.0712 * (minus_limb1_lower_omega_z * minus_limb1_lower_omega_y))
+        t251 = limb1_lower_sin * (k10 * (minus_limb1_lower_omega_z * minus_limb1_lower_omega_y))
         t253 = minus_limb1_U2_opening_rate_fx * (2.0 * minus_limb1_lower_omega_y)
-        limb1_U_0_acc_x = 9.81 * limb1_U_0_sin
+        limb1_U_0_acc_x = gravity_z * limb1_U_0_sin
         minus_limb1_lower_alpha_y = minus_limb1_lower_omega_z * minus_limb1_lower_omega_x
         limb1_upper_acc_z = limb1_lower_limb_length * (2.0 * minus_limb1_lower_alpha_y) + t253
         limb1_U_0_alpha_z = t35 * (limb1_upper_acc_z + (minus_limb1_U_0_cos * t200 - limb1_U_0_sin * t214))
         minus_limb1_lower_alpha_y_2 = minus_limb1_lower_alpha_y - limb1_lower_cos * limb1_U_0_alpha_z
         limb1_lower_U_zx_2 = minus_limb1_lower_alpha_y + minus_limb1_lower_alpha_y_2
         limb1_upper_acc_z_2 = t253 + (limb1_U_0_acc_x + limb1_lower_limb_length * limb1_lower_U_zx_2)
-        limb1_upper_rate_my = 0.213 * limb1_upper_acc_z_2
-        t261 = limb1_upper_rate_my - limb1_lower_limb_length * (1.42 * limb1_upper_acc_z_2 - 0.213 * limb1_lower_U_zx_2)
-        t264 = 2.2727 * minus_limb1_lower_alpha_y_2 + 2.3439 * minus_limb1_lower_alpha_y
-        limb1_lower_joint_force_my = t251 + limb1_lower_cos * (t261 - (t264 + 2.08953 * limb1_U_0_sin))
-        minus_limb1_U2_part_fz = t35 * (limb1_lower_joint_force_my + 0.1112 * limb1_U_0_alpha_z)
+        limb1_upper_rate_my = limb_lower_mx * limb1_upper_acc_z_2
+        t260 = limb1_lower_limb_length * (limb_lower_m * limb1_upper_acc_z_2 - limb_lower_mx * limb1_lower_U_zx_2)
+        t261 = limb1_upper_rate_my - t260
+        t264 = k8 * minus_limb1_lower_alpha_y_2 + k9 * minus_limb1_lower_alpha_y
+        limb1_lower_joint_force_my = (
+            t251 + limb1_lower_cos * (t261 - (t264 + gravity_z_limb_lower_mx * limb1_U_0_sin))
+        )
+        minus_limb1_U2_part_fz = t35 * (limb1_lower_joint_force_my + k3 * limb1_U_0_alpha_z)
         t267 = limb1_U_0_sin * minus_limb1_U2_part_fz
         t270 = limb1_lower_sin * limb1_U2_part_fy - limb1_lower_cos * limb1_upper_rate_fx
         t272 = t267 - minus_limb1_U_0_cos * t270
@@ -12574,10 +14101,10 @@ def inverse_dynamics_platform(*arguments):
         limb2_lower_omega_z = t82 * (t285 - t288 * minus_limb2_lower_cos)
         minus_limb2_U_0_omega_z = t79 * (t278 * minus_limb2_U_0_cos - t282 * limb2_U_0_sin)
         limb2_lower_omega_y = minus_limb2_lower_cos * minus_limb2_U_0_omega_z
-        t292 = limb2_lower_sin * (0.0712 * (limb2_lower_omega_z * limb2_lower_omega_y))
+        t292 = limb2_lower_sin * (k10 * (limb2_lower_omega_z * limb2_lower_omega_y))
         minus_limb2_S_opening_rate_fx = minus_limb2_lower_cos * t284 + t288 * limb2_lower_sin
         t296 = minus_limb2_S_opening_rate_fx * (2.0 * limb2_lower_omega_y)
-        minus_limb2_U_0_acc_x = 9.81 * minus_limb2_U_0_cos
+        minus_limb2_U_0_acc_x = gravity_z * minus_limb2_U_0_cos
         minus_limb2_lower_omega_x = limb2_lower_sin * minus_limb2_U_0_omega_z
         limb2_lower_alpha_y = limb2_lower_omega_z * minus_limb2_lower_omega_x
         minus_limb2_upper_acc_z = limb2_lower_limb_length * (2.0 * limb2_lower_alpha_y) + t296
@@ -12597,15 +14124,23 @@ def inverse_dynamics_platform(*arguments):
         limb2_U_0_alpha_z = t79 * (minus_limb2_upper_acc_z - (t305 - limb2_U_0_sin * t312))
         limb2_lower_alpha_y_2 = limb2_lower_alpha_y - minus_limb2_lower_cos * limb2_U_0_alpha_z
         minus_limb2_lower_U_zx_2 = limb2_lower_alpha_y + limb2_lower_alpha_y_2
-        minus_limb2_upper_acc_z_2 = t296 + (minus_limb2_U_0_acc_x + limb2_lower_limb_length * minus_limb2_lower_U_zx_2)
-        minus_limb2_upper_rate_my = 0.213 * minus_limb2_upper_acc_z_2
-        t317 = limb2_lower_limb_length * (1.42 * minus_limb2_upper_acc_z_2 - 0.213 * minus_limb2_lower_U_zx_2)
+        minus_limb2_upper_acc_z_2 = (
+            t296 + (minus_limb2_U_0_acc_x + limb2_lower_limb_length * minus_limb2_lower_U_zx_2)
+        )
+        minus_limb2_upper_rate_my = limb_lower_mx * minus_limb2_upper_acc_z_2
+        t317 = (
+            limb2_lower_limb_length * (limb_lower_m * minus_limb2_upper_acc_z_2 - limb_lower_mx *
+            minus_limb2_lower_U_zx_2)
+        )
         t318 = minus_limb2_upper_rate_my - t317
-        limb2_lower_rate_my = 2.2727 * limb2_lower_alpha_y_2 + 2.3439 * limb2_lower_alpha_y + 2.08953 * minus_limb2_U_0_cos
-        limb2_S_multiplier_fz = t79 * (t292 + minus_limb2_lower_cos * (t318 - limb2_lower_rate_my) + 0.1112 * limb2_U_0_alpha_z)
+        t321 = k8 * limb2_lower_alpha_y_2 + k9 * limb2_lower_alpha_y
+        limb2_lower_joint_force_my = (
+            t292 + minus_limb2_lower_cos * (t318 - (t321 + gravity_z_limb_lower_mx * minus_limb2_U_0_cos))
+        )
+        limb2_S_multiplier_fz = t79 * (limb2_lower_joint_force_my + k3 * limb2_U_0_alpha_z)
         t324 = limb2_U_0_sin * limb2_S_multiplier_fz
         t326 = minus_limb2_S_opening_rate_fx * (2.0 * limb2_lower_omega_z)
-        minus_limb2_U_0_acc_y = 9.81 * limb2_U_0_sin
+        minus_limb2_U_0_acc_y = gravity_z * limb2_U_0_sin
         limb2_lower_acc_y = limb2_lower_sin * minus_limb2_U_0_acc_y
         minus_limb2_lower_U_xy = minus_limb2_lower_omega_x * limb2_lower_omega_y
         minus_limb2_upper_acc_y = limb2_lower_limb_length * minus_limb2_lower_U_xy - t326
@@ -12617,22 +14152,32 @@ def inverse_dynamics_platform(*arguments):
         limb2_lower_alpha_z = t82 * (minus_limb2_upper_acc_y + (t331 - minus_limb2_lower_cos * t338))
         minus_limb2_lower_U_yx = minus_limb2_lower_U_xy - limb2_lower_alpha_z
         limb2_upper_acc_y = t326 + (limb2_lower_acc_y - limb2_lower_limb_length * minus_limb2_lower_U_yx)
-        minus_limb2_upper_rate_mz = 0.213 * limb2_upper_acc_y
-        t344 = minus_limb2_upper_rate_mz - limb2_lower_limb_length * (1.42 * limb2_upper_acc_y + 0.213 * minus_limb2_lower_U_yx)
-        minus_limb2_lower_moment_z = t344 - (2.3439 * limb2_lower_alpha_z - 2.2727 * minus_limb2_lower_U_xy + 0.213 * limb2_lower_acc_y)
+        minus_limb2_upper_rate_mz = limb_lower_mx * limb2_upper_acc_y
+        t343 = limb2_lower_limb_length * (limb_lower_m * limb2_upper_acc_y + limb_lower_mx * minus_limb2_lower_U_yx)
+        t344 = minus_limb2_upper_rate_mz - t343
+        minus_limb2_lower_moment_z = (
+            t344 - (k9 * limb2_lower_alpha_z - k8 * minus_limb2_lower_U_xy + limb_lower_mx * limb2_lower_acc_y)
+        )
         minus_limb2_S_multiplier_fy = t82 * minus_limb2_lower_moment_z
         t349 = limb2_lower_sin * minus_limb2_S_multiplier_fy
-        minus_limb2_lower_U_xx = limb2_lower_omega_y * limb2_lower_omega_y + limb2_lower_omega_z * limb2_lower_omega_z
+        minus_limb2_lower_U_xx = (
+            limb2_lower_omega_y * limb2_lower_omega_y + limb2_lower_omega_z * limb2_lower_omega_z
+        )
         minus_limb2_upper_acc_x = limb2_lower_limb_length * minus_limb2_lower_U_xx
-        minus_limb2_S_opening_bias_fx = minus_limb2_upper_acc_x + (minus_limb2_lower_cos * t330 + limb2_lower_sin * t338)
-        limb2_upper_acc_x = minus_limb2_S_opening_bias_fx - (minus_limb2_upper_acc_x - minus_limb2_lower_cos * minus_limb2_U_0_acc_y)
-        limb2_upper_rate_fx = 1.42 * limb2_upper_acc_x + 0.213 * minus_limb2_lower_U_xx
+        minus_limb2_S_opening_bias_fx = (
+            minus_limb2_upper_acc_x + (minus_limb2_lower_cos * t330 + limb2_lower_sin * t338)
+        )
+        limb2_upper_acc_x = (
+            minus_limb2_S_opening_bias_fx - (minus_limb2_upper_acc_x - minus_limb2_lower_cos *
+            minus_limb2_U_0_acc_y)
+        )
+        limb2_upper_rate_fx = limb_lower_m * limb2_upper_acc_x + limb_lower_mx * minus_limb2_lower_U_xx
         t357 = t349 - minus_limb2_lower_cos * limb2_upper_rate_fx
         t359 = t324 - minus_limb2_U_0_cos * t357
         t360 = limb2_lower_limb_target_x * t359
         t363 = minus_limb2_U_0_cos * limb2_S_multiplier_fz + limb2_U_0_sin * t357
         t366 = t275 - (t360 + limb2_lower_limb_target_y * t363)  # platform
-        # limb3: loop closure; velocities, eq. (6); accelerations
+        # limb3: loop closure; accelerations; balance, eqs. (40)-(47)
         t369 = limb3_upper_position_x * platform_twist_wz - limb3_lower_limb_target_y * platform_twist_wx
         t370 = t369 * minus_limb3_U_0_sin
         t373 = limb3_lower_limb_target_x * platform_twist_wx - limb3_upper_position_x * platform_twist_wy
@@ -12642,7 +14187,7 @@ def inverse_dynamics_platform(*arguments):
         minus_limb3_S_opening_rate_fx = t376 - t379 * minus_limb3_lower_sin
         limb3_lower_omega_z = t96 * (minus_limb3_lower_sin * t375 + t379 * limb3_lower_cos)
         t384 = minus_limb3_S_opening_rate_fx * (2.0 * limb3_lower_omega_z)
-        limb3_U_0_acc_y = 9.81 * limb3_U_0_cos
+        limb3_U_0_acc_y = gravity_z * limb3_U_0_cos
         limb3_lower_acc_y = minus_limb3_lower_sin * limb3_U_0_acc_y
         minus_limb3_U_0_omega_z = t93 * (t369 * limb3_U_0_cos - t373 * minus_limb3_U_0_sin)
         limb3_lower_omega_x = minus_limb3_lower_sin * minus_limb3_U_0_omega_z
@@ -12658,34 +14203,44 @@ def inverse_dynamics_platform(*arguments):
         limb3_lower_alpha_z = t96 * (minus_limb3_upper_acc_y - (t393 + limb3_lower_cos * t394))
         minus_limb3_lower_U_yx = minus_limb3_lower_U_xy - limb3_lower_alpha_z
         limb3_upper_acc_y = t384 + (limb3_lower_acc_y - limb3_lower_limb_length * minus_limb3_lower_U_yx)
-        minus_limb3_upper_rate_mz = 0.213 * limb3_upper_acc_y
-        t400 = minus_limb3_upper_rate_mz - limb3_lower_limb_length * (1.42 * limb3_upper_acc_y + 0.213 * minus_limb3_lower_U_yx)
-        minus_limb3_lower_moment_z = t400 - (2.3439 * limb3_lower_alpha_z - 2.2727 * minus_limb3_lower_U_xy + 0.213 * limb3_lower_acc_y)
+        minus_limb3_upper_rate_mz = limb_lower_mx * limb3_upper_acc_y
+        t399 = limb3_lower_limb_length * (limb_lower_m * limb3_upper_acc_y + limb_lower_mx * minus_limb3_lower_U_yx)
+        t400 = minus_limb3_upper_rate_mz - t399
+        minus_limb3_lower_moment_z = (
+            t400 - (k9 * limb3_lower_alpha_z - k8 * minus_limb3_lower_U_xy + limb_lower_mx * limb3_lower_acc_y)
+        )
         minus_limb3_S_multiplier_fy = t96 * minus_limb3_lower_moment_z
         t405 = limb3_lower_cos * minus_limb3_S_multiplier_fy
         t406 = minus_limb3_lower_omega_y * minus_limb3_lower_omega_y
         minus_limb3_lower_U_xx = t406 + limb3_lower_omega_z * limb3_lower_omega_z
         minus_limb3_upper_acc_x = limb3_lower_limb_length * minus_limb3_lower_U_xx
-        minus_limb3_S_opening_bias_fx = minus_limb3_upper_acc_x - (limb3_lower_cos * t392 - minus_limb3_lower_sin * t394)
+        minus_limb3_S_opening_bias_fx = (
+            minus_limb3_upper_acc_x - (limb3_lower_cos * t392 - minus_limb3_lower_sin * t394)
+        )
         # limb3: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
-        limb3_upper_acc_x = minus_limb3_S_opening_bias_fx - (minus_limb3_upper_acc_x - limb3_lower_cos * limb3_U_0_acc_y)
-        limb3_upper_rate_fx = 1.42 * limb3_upper_acc_x + 0.213 * minus_limb3_lower_U_xx
+        limb3_upper_acc_x = (
+            minus_limb3_S_opening_bias_fx - (minus_limb3_upper_acc_x - limb3_lower_cos * limb3_U_0_acc_y)
+        )
+        limb3_upper_rate_fx = limb_lower_m * limb3_upper_acc_x + limb_lower_mx * minus_limb3_lower_U_xx
         t413 = t405 + minus_limb3_lower_sin * limb3_upper_rate_fx
         t414 = limb3_lower_limb_target_y * t413
-        t415 = minus_limb3_lower_sin * (0.0712 * (limb3_lower_omega_z * minus_limb3_lower_omega_y))
+        t415 = minus_limb3_lower_sin * (k10 * (limb3_lower_omega_z * minus_limb3_lower_omega_y))
         t417 = minus_limb3_S_opening_rate_fx * (2.0 * minus_limb3_lower_omega_y)
-        minus_limb3_U_0_acc_x = 9.81 * minus_limb3_U_0_sin
+        minus_limb3_U_0_acc_x = gravity_z * minus_limb3_U_0_sin
         minus_limb3_lower_alpha_y = limb3_lower_omega_z * limb3_lower_omega_x
         limb3_upper_acc_z = limb3_lower_limb_length * (2.0 * minus_limb3_lower_alpha_y) + t417
         limb3_U_0_alpha_z = t93 * (limb3_upper_acc_z + (limb3_U_0_cos * t388 - minus_limb3_U_0_sin * t390))
         minus_limb3_lower_alpha_y_2 = minus_limb3_lower_alpha_y - limb3_lower_cos * limb3_U_0_alpha_z
         limb3_lower_U_zx_2 = minus_limb3_lower_alpha_y + minus_limb3_lower_alpha_y_2
         limb3_upper_acc_z_2 = t417 - (minus_limb3_U_0_acc_x - limb3_lower_limb_length * limb3_lower_U_zx_2)
-        limb3_upper_rate_my = 0.213 * limb3_upper_acc_z_2
-        t425 = limb3_upper_rate_my - limb3_lower_limb_length * (1.42 * limb3_upper_acc_z_2 - 0.213 * limb3_lower_U_zx_2)
-        t428 = 2.2727 * minus_limb3_lower_alpha_y_2 + 2.3439 * minus_limb3_lower_alpha_y
-        limb3_lower_joint_force_my = t415 + limb3_lower_cos * (t425 - (t428 - 2.08953 * minus_limb3_U_0_sin))
-        minus_limb3_S_multiplier_fz = t93 * (limb3_lower_joint_force_my + 0.1112 * limb3_U_0_alpha_z)
+        limb3_upper_rate_my = limb_lower_mx * limb3_upper_acc_z_2
+        t424 = limb3_lower_limb_length * (limb_lower_m * limb3_upper_acc_z_2 - limb_lower_mx * limb3_lower_U_zx_2)
+        t425 = limb3_upper_rate_my - t424
+        t428 = k8 * minus_limb3_lower_alpha_y_2 + k9 * minus_limb3_lower_alpha_y
+        limb3_lower_joint_force_my = (
+            t415 + limb3_lower_cos * (t425 - (t428 - gravity_z_limb_lower_mx * minus_limb3_U_0_sin))
+        )
+        minus_limb3_S_multiplier_fz = t93 * (limb3_lower_joint_force_my + k3 * limb3_U_0_alpha_z)
         t431 = minus_limb3_U_0_sin * minus_limb3_S_multiplier_fz
         t434 = minus_limb3_lower_sin * minus_limb3_S_multiplier_fy - limb3_lower_cos * limb3_upper_rate_fx
         t436 = t431 - limb3_U_0_cos * t434
@@ -12700,11 +14255,11 @@ def inverse_dynamics_platform(*arguments):
         minus_limb4_lower_omega_z = t110 * (t449 + t452 * minus_limb4_lower_cos)
         minus_limb4_U_0_omega_z = t107 * (t442 * minus_limb4_U_0_cos - t446 * limb4_U_0_sin)
         limb4_lower_omega_y = minus_limb4_lower_cos * minus_limb4_U_0_omega_z
-        t456 = minus_limb4_lower_sin * (0.0712 * (minus_limb4_lower_omega_z * limb4_lower_omega_y))
+        t456 = minus_limb4_lower_sin * (k10 * (minus_limb4_lower_omega_z * limb4_lower_omega_y))
         minus_limb4_S_opening_rate_fx = minus_limb4_lower_cos * t448 - t452 * minus_limb4_lower_sin
         # limb4: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
         t460 = minus_limb4_S_opening_rate_fx * (2.0 * limb4_lower_omega_y)
-        minus_limb4_U_0_acc_x = 9.81 * minus_limb4_U_0_cos
+        minus_limb4_U_0_acc_x = gravity_z * minus_limb4_U_0_cos
         limb4_lower_omega_x = minus_limb4_lower_sin * minus_limb4_U_0_omega_z
         limb4_lower_alpha_y = minus_limb4_lower_omega_z * limb4_lower_omega_x
         minus_limb4_upper_acc_z = limb4_lower_limb_length * (2.0 * limb4_lower_alpha_y) + t460
@@ -12714,15 +14269,23 @@ def inverse_dynamics_platform(*arguments):
         limb4_U_0_alpha_z = t107 * (minus_limb4_upper_acc_z - (t463 - limb4_U_0_sin * t464))
         limb4_lower_alpha_y_2 = limb4_lower_alpha_y - minus_limb4_lower_cos * limb4_U_0_alpha_z
         minus_limb4_lower_U_zx_2 = limb4_lower_alpha_y + limb4_lower_alpha_y_2
-        minus_limb4_upper_acc_z_2 = t460 + (minus_limb4_U_0_acc_x + limb4_lower_limb_length * minus_limb4_lower_U_zx_2)
-        minus_limb4_upper_rate_my = 0.213 * minus_limb4_upper_acc_z_2
-        t469 = limb4_lower_limb_length * (1.42 * minus_limb4_upper_acc_z_2 - 0.213 * minus_limb4_lower_U_zx_2)
+        minus_limb4_upper_acc_z_2 = (
+            t460 + (minus_limb4_U_0_acc_x + limb4_lower_limb_length * minus_limb4_lower_U_zx_2)
+        )
+        minus_limb4_upper_rate_my = limb_lower_mx * minus_limb4_upper_acc_z_2
+        t469 = (
+            limb4_lower_limb_length * (limb_lower_m * minus_limb4_upper_acc_z_2 - limb_lower_mx *
+            minus_limb4_lower_U_zx_2)
+        )
         t470 = minus_limb4_upper_rate_my - t469
-        limb4_lower_rate_my = 2.2727 * limb4_lower_alpha_y_2 + 2.3439 * limb4_lower_alpha_y + 2.08953 * minus_limb4_U_0_cos
-        limb4_S_multiplier_fz = t107 * (t456 + minus_limb4_lower_cos * (t470 - limb4_lower_rate_my) + 0.1112 * limb4_U_0_alpha_z)
+        t473 = k8 * limb4_lower_alpha_y_2 + k9 * limb4_lower_alpha_y
+        limb4_lower_joint_force_my = (
+            t456 + minus_limb4_lower_cos * (t470 - (t473 + gravity_z_limb_lower_mx * minus_limb4_U_0_cos))
+        )
+        limb4_S_multiplier_fz = t107 * (limb4_lower_joint_force_my + k3 * limb4_U_0_alpha_z)
         t476 = limb4_U_0_sin * limb4_S_multiplier_fz
         t478 = minus_limb4_S_opening_rate_fx * (2.0 * minus_limb4_lower_omega_z)
-        minus_limb4_U_0_acc_y = 9.81 * limb4_U_0_sin
+        minus_limb4_U_0_acc_y = gravity_z * limb4_U_0_sin
         minus_limb4_lower_acc_y = minus_limb4_lower_sin * minus_limb4_U_0_acc_y
         limb4_lower_U_xy = limb4_lower_omega_x * limb4_lower_omega_y
         limb4_upper_acc_y = limb4_lower_limb_length * limb4_lower_U_xy - t478
@@ -12732,17 +14295,23 @@ def inverse_dynamics_platform(*arguments):
         minus_limb4_lower_alpha_z = t110 * (limb4_upper_acc_y + (t483 + minus_limb4_lower_cos * t484))
         limb4_lower_U_yx = limb4_lower_U_xy - minus_limb4_lower_alpha_z
         minus_limb4_upper_acc_y = t478 + (minus_limb4_lower_acc_y - limb4_lower_limb_length * limb4_lower_U_yx)
-        limb4_upper_rate_mz = 0.213 * minus_limb4_upper_acc_y
-        t490 = limb4_upper_rate_mz - limb4_lower_limb_length * (1.42 * minus_limb4_upper_acc_y + 0.213 * limb4_lower_U_yx)
-        t493 = 2.3439 * minus_limb4_lower_alpha_z - 2.2727 * limb4_lower_U_xy
-        limb4_S_multiplier_fy = t110 * (t490 - (t493 + 0.213 * minus_limb4_lower_acc_y))
+        limb4_upper_rate_mz = limb_lower_mx * minus_limb4_upper_acc_y
+        t489 = limb4_lower_limb_length * (limb_lower_m * minus_limb4_upper_acc_y + limb_lower_mx * limb4_lower_U_yx)
+        t490 = limb4_upper_rate_mz - t489
+        t493 = k9 * minus_limb4_lower_alpha_z - k8 * limb4_lower_U_xy
+        limb4_S_multiplier_fy = t110 * (t490 - (t493 + limb_lower_mx * minus_limb4_lower_acc_y))
         t495 = minus_limb4_lower_sin * limb4_S_multiplier_fy
         t496 = limb4_lower_omega_y * limb4_lower_omega_y
         minus_limb4_lower_U_xx = t496 + minus_limb4_lower_omega_z * minus_limb4_lower_omega_z
         minus_limb4_upper_acc_x = limb4_lower_limb_length * minus_limb4_lower_U_xx
-        minus_limb4_S_opening_bias_fx = minus_limb4_upper_acc_x + (minus_limb4_lower_cos * t482 - minus_limb4_lower_sin * t484)
-        limb4_upper_acc_x = minus_limb4_S_opening_bias_fx - (minus_limb4_upper_acc_x - minus_limb4_lower_cos * minus_limb4_U_0_acc_y)
-        limb4_upper_rate_fx = 1.42 * limb4_upper_acc_x + 0.213 * minus_limb4_lower_U_xx
+        minus_limb4_S_opening_bias_fx = (
+            minus_limb4_upper_acc_x + (minus_limb4_lower_cos * t482 - minus_limb4_lower_sin * t484)
+        )
+        limb4_upper_acc_x = (
+            minus_limb4_S_opening_bias_fx - (minus_limb4_upper_acc_x - minus_limb4_lower_cos *
+            minus_limb4_U_0_acc_y)
+        )
+        limb4_upper_rate_fx = limb_lower_m * limb4_upper_acc_x + limb_lower_mx * minus_limb4_lower_U_xx
         t503 = t495 - minus_limb4_lower_cos * limb4_upper_rate_fx
         t505 = t476 - minus_limb4_U_0_cos * t503
         t506 = limb4_lower_limb_target_x * t505
@@ -12773,23 +14342,39 @@ def inverse_dynamics_platform(*arguments):
         t573 = minus_limb5_S_balance_wx * drives_share_1_1 + minus_limb5_S_balance_wy * minus_drives_share_0_1
         t574 = t140 * t573
         limb1_P_drive = t570 - minus_limb5_S_balance_wx_by_limb1_P * t574
-        minus_limb2_P_drive = minus_limb5_S_balance_wx_by_limb2_P * t574 + minus_limb5_S_balance_wy_by_limb2_P * t569
+        minus_limb2_P_drive = (
+            minus_limb5_S_balance_wx_by_limb2_P * t574 + minus_limb5_S_balance_wy_by_limb2_P * t569
+        )
         limb2_P_drive = -minus_limb2_P_drive
         limb3_P_drive = limb5_S_balance_wy_by_limb3_P * t569 - minus_limb5_S_balance_wx_by_limb3_P * t574
-        minus_limb4_P_drive = minus_limb5_S_balance_wx_by_limb4_P * t574 + minus_limb5_S_balance_wy_by_limb4_P * t569
+        minus_limb4_P_drive = (
+            minus_limb5_S_balance_wx_by_limb4_P * t574 + minus_limb5_S_balance_wy_by_limb4_P * t569
+        )
         limb4_P_drive = -minus_limb4_P_drive
         limb1_U2_opening_mn = limb1_lower_sin * t41 + platform_turn_xy * limb1_lower_cos
         t584 = limb1_U2_opening_mn * limb1_U2_opening_mn
+        guards = (  # status 1 where a pivot is smaller than its limit:
+            (limb3_lower_limb_length, 6.62327e-10),  # where the points of limb3_lower coincide
+            (limb2_lower_limb_length, 6.62327e-10),  # where the points of limb2_lower coincide
+            (limb4_lower_limb_length, 6.62327e-10),  # where the points of limb4_lower coincide
+            (limb1_lower_limb_length, 6.62327e-10),  # where the points of limb1_lower coincide
+            (minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-10),  # where the reciprocal wrench limb3_S.fz has no
+            # power along limb3_U.0, as in a stretched limb
+            (limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-10),  # where the reciprocal wrench limb2_S.fz has no power
+            # along limb2_U.0, as in a stretched limb
+            (limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-10),  # where the reciprocal wrench limb4_S.fz has no power
+            # along limb4_U.0, as in a stretched limb
+            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-10),  # where the reciprocal wrench limb1_U2.fz has
+            # no power along limb1_U.0, as in a stretched limb
+            (platform_joint_force_mz_by_limb1_U2_mn, 4.0171000000000005e-10),  # where limb1_U2.mn cannot balance
+            # platform.moment_z
+            (value_determinant, 2.393867125597279e-10),  # where equations that are solved at once lose rank, as
+            # drives do at a singularity
+        )
         return _finish(batch, ((limb1_P_drive, limb2_P_drive, limb3_P_drive, limb4_P_drive),),
-            ((limb3_lower_limb_length, 6.62327e-10), (limb2_lower_limb_length, 6.62327e-10),
-            (limb4_lower_limb_length, 6.62327e-10), (limb1_lower_limb_length, 6.62327e-10),
-            (minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-10),
-            (limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-10), (limb4_U_0_lever_mz_by_limb4_S_fz,
-            6.62327e-10), (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-10),
-            (platform_joint_force_mz_by_limb1_U2_mn, 4.0171000000000005e-10), (value_determinant,
-            2.393867125597279e-10)), (platform_joint_force_mz_by_limb1_U2_mn, value_determinant,
-            limb1_P_drive, minus_limb2_P_drive, limb3_P_drive, minus_limb4_P_drive), ((t7, 0.999999,
-            1.000001, 5), (t584, None, 1.0e-12, 6)))
+            guards, (platform_joint_force_mz_by_limb1_U2_mn, value_determinant, limb1_P_drive,
+            minus_limb2_P_drive, limb3_P_drive, minus_limb4_P_drive), ((t7, 0.999999, 1.000001, 5),
+            (t584, None, 1.0e-12, 6)))
 
 
 def _assemble_step(*arguments):
@@ -12811,13 +14396,13 @@ def _assemble_step(*arguments):
         t5 = limb5_S_q_qz * limb5_S_q_qz
         t6 = t4 + t5
         t7 = t3 + t6
-        t9 = 1.5 - 0.5 * t7
+        t9 = k2 - 0.5 * t7
         t10 = limb5_S_q_qz * t9
         t11 = 0.5 * t10
         t12 = limb5_S_q_qx - limb5_S_y_qx
         t13 = limb5_S_q_qy * t9
         limb1_U_0_cos = np.cos(limb1_U_q_0)
-        t14 = 0.5235987755982989 + limb1_U_q_1  # limb1
+        t14 = limb_lower_phase + limb1_U_q_1  # limb1
         limb1_lower_cos = np.cos(t14)
         t16 = 4.0 - 2.0 * t7
         platform_turn_yy = 1.0 - t16 * (t2 + t5)
@@ -12830,13 +14415,15 @@ def _assemble_step(*arguments):
         limb1_U2_constraint_mn_couple_x = t19 + limb1_U_0_sin * platform_turn_zy
         limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x
         limb1_lower_sin = np.sin(t14)
-        limb1_upper_offset_x = 0.3 + limb1_P_q
-        minus_limb1_upper_position_x = 0.8 - limb1_lower_sin * limb1_upper_offset_x
+        limb1_upper_offset_x = limb_upper_phase + limb1_P_q
+        minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x
         limb1_U_0_lever_mz_by_limb1_U2_mn = limb1_lower_sin * limb1_U2_constraint_mn_couple_x
         minus_limb1_U_0_lever_mz_by_limb1_U2_fz = limb1_lower_cos * limb1_upper_offset_x
         t25 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz
         minus_limb1_U_factor_0_by_3 = limb1_U_0_lever_mz_by_limb1_U2_mn * t25
-        minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn - minus_limb1_upper_position_x * minus_limb1_U_factor_0_by_3
+        minus_limb1_U2_factor_1_by_3 = (
+            limb1_U_0_lever_my_by_limb1_U2_mn - minus_limb1_upper_position_x * minus_limb1_U_factor_0_by_3
+        )
         t27 = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3
         t30 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy
         t31 = limb1_lower_cos * t30
@@ -12845,7 +14432,7 @@ def _assemble_step(*arguments):
         t34 = limb5_S_q_qw * t20  # limb5_S
         platform_turn_xy = t33 - t34
         limb1_U2_constraint_mn_couple_z = t31 - limb1_lower_sin * platform_turn_xy
-        limb1_U2_arm_x = limb1_upper_offset_x - 0.8 * limb1_lower_sin
+        limb1_U2_arm_x = limb1_upper_offset_x - param_R * limb1_lower_sin
         t37 = limb1_lower_cos * t25
         limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * t37
         minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * limb1_U_factor_1_by_3
@@ -12854,7 +14441,7 @@ def _assemble_step(*arguments):
         minus_limb1_lower_rotation_yx = limb1_U_0_sin * limb1_lower_cos
         minus_limb1_upper_position_y = limb1_upper_offset_x * minus_limb1_lower_rotation_yx
         t41 = 0.5 * (t33 + t34)  # platform
-        t42 = 0.5196152422706631 * (t21 - t23)  # platform
+        t42 = param_H * (t21 - t23)  # platform
         t43 = minus_limb1_upper_position_y - (t41 - t42)
         t44 = limb1_U_0_cos * t43
         limb1_lower_rotation_zx = limb1_U_0_cos * limb1_lower_cos
@@ -12862,14 +14449,14 @@ def _assemble_step(*arguments):
         t45 = limb5_S_q_qx * t20  # limb5_S
         t46 = limb5_S_q_qw * t32  # limb5_S
         t47 = 0.5 * (t45 - t46)  # platform
-        t50 = 0.5196152422706631 * (1.0 - t16 * (t2 + t4))  # platform
+        t50 = param_H * (1.0 - t16 * (t2 + t4))  # platform
         t51 = limb1_upper_position_z + (t47 - t50)
         minus_limb1_U2_opening_fz = t44 - limb1_U_0_sin * t51
         t53 = minus_limb1_U2_opening_fz * minus_limb1_U_factor_0_by_3
         limb1_U2_opening_mn = limb1_lower_sin * t30 + limb1_lower_cos * platform_turn_xy
         # platform: geometry
         t57 = 0.5 * (1.0 - t6 * t16)
-        t58 = 0.5196152422706631 * (t45 + t46)
+        t58 = param_H * (t45 + t46)
         t59 = minus_limb1_upper_position_x - (t57 - t58)  # limb1
         t62 = limb1_lower_cos * t59 + limb1_U_0_sin * limb1_lower_sin * t43  # limb1
         minus_limb1_U2_opening_fy = t62 + limb1_U_0_cos * limb1_lower_sin * t51
@@ -12898,22 +14485,22 @@ def _assemble_step(*arguments):
         t102 = t92 * (t86 * t78 - t90 * t70)
         t103 = t102 * t102
         # limb4: geometry; reciprocal wrenches, eq. (10); loop closure
-        t104 = 2.6179938779914944 - limb4_U_q_1
+        t104 = limb_lower_phase_2 - limb4_U_q_1
         limb4_lower_cos = np.cos(t104)
-        limb4_S_arm_y = 0.8 * limb4_lower_cos
+        limb4_S_arm_y = param_R * limb4_lower_cos
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
         t105 = minus_limb4_U_0_cos * t95  # step
         limb4_U_0_sin = np.cos(limb4_U_q_0)
         t107 = t105 + limb4_U_0_sin * t102  # step
         t108 = limb4_S_arm_y * t107  # step
         minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos
-        limb4_upper_offset_x = 0.3 + limb4_P_q
+        limb4_upper_offset_x = limb_upper_phase + limb4_P_q
         minus_limb4_upper_position_x = limb4_upper_offset_x * minus_limb4_lower_rotation_xx
         t109 = 0.5 * platform_turn_xy  # platform
         t110 = minus_limb4_upper_position_x + (t58 + t109)
         t111 = minus_limb4_lower_rotation_xx * t110
         minus_limb4_lower_sin = np.sin(t104)
-        limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
+        limb4_upper_position_y = param_R - minus_limb4_lower_sin * limb4_upper_offset_x
         t112 = 0.5 * platform_turn_yy  # platform
         t113 = limb4_upper_position_y - (t42 + t112)
         t115 = t111 - minus_limb4_lower_sin * t113
@@ -12923,12 +14510,12 @@ def _assemble_step(*arguments):
         t117 = minus_limb4_upper_position_z + (t50 + t116)
         limb4_S_opening_fx = t115 + minus_limb4_lower_rotation_zx * t117
         t119 = minus_limb4_U_0_cos * t67  # step
-        t123 = 1.5098282268426322 * (t108 + (limb4_S_opening_fx + limb4_S_arm_y * t119))  # step
+        t123 = per_length * (t108 + (limb4_S_opening_fx + limb4_S_arm_y * t119))  # step
         t124 = t123 * t123  # step
         minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x
         t125 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz
         t126 = limb4_lower_cos * t125
-        limb4_S_arm_x = limb4_upper_offset_x - 0.8 * minus_limb4_lower_sin
+        limb4_S_arm_x = limb4_upper_offset_x - param_R * minus_limb4_lower_sin
         t128 = limb4_S_arm_x * t107  # step
         t131 = minus_limb4_U_0_cos * minus_limb4_lower_sin * t110 + limb4_lower_cos * t113
         limb4_S_opening_fy = t131 + limb4_U_0_sin * minus_limb4_lower_sin * t117
@@ -12939,17 +14526,17 @@ def _assemble_step(*arguments):
         t150 = t143 + t125 * (minus_limb4_S_opening_fz + limb4_upper_position_y * (limb4_U_0_sin * t67))  # step
         t151 = t150 * t150  # step
         # limb3: geometry; reciprocal wrenches, eq. (10); loop closure
-        t152 = 0.5235987755982989 - limb3_U_q_1
+        t152 = limb_lower_phase - limb3_U_q_1
         limb3_lower_cos = np.cos(t152)
-        limb3_S_arm_y = 0.8 * limb3_lower_cos
+        limb3_S_arm_y = param_R * limb3_lower_cos
         limb3_U_0_sin = np.sin(limb3_U_q_0)
         t153 = limb3_U_0_sin * t95  # step
         limb3_U_0_cos = np.cos(limb3_U_q_0)
         t155 = t153 + limb3_U_0_cos * t93  # step
         t156 = limb3_S_arm_y * t155  # step
         minus_limb3_lower_sin = np.sin(t152)
-        limb3_upper_offset_x = 0.3 + limb3_P_q
-        limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
+        limb3_upper_offset_x = limb_upper_phase + limb3_P_q
+        limb3_upper_position_x = param_R - minus_limb3_lower_sin * limb3_upper_offset_x
         t157 = limb3_upper_position_x - (t57 + t58)
         t158 = minus_limb3_lower_sin * t157
         minus_limb3_lower_rotation_yx = limb3_U_0_sin * limb3_lower_cos
@@ -12959,12 +14546,12 @@ def _assemble_step(*arguments):
         t162 = limb3_upper_offset_x * limb3_lower_rotation_zx - (t47 + t50)
         minus_limb3_S_opening_fx = t161 - limb3_lower_rotation_zx * t162
         t164 = limb3_U_0_sin * t67  # step
-        t168 = 1.5098282268426322 * (t156 + (minus_limb3_S_opening_fx + limb3_S_arm_y * t164))  # step
+        t168 = per_length * (t156 + (minus_limb3_S_opening_fx + limb3_S_arm_y * t164))  # step
         t169 = t168 * t168  # step
         minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x
         t170 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
         t171 = limb3_lower_cos * t170
-        limb3_S_arm_x = limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin
+        limb3_S_arm_x = limb3_upper_offset_x - param_R * minus_limb3_lower_sin
         t173 = limb3_S_arm_x * t155  # step
         t176 = limb3_lower_cos * t157 + limb3_U_0_sin * minus_limb3_lower_sin * t159
         limb3_S_opening_fy = t176 + limb3_U_0_cos * minus_limb3_lower_sin * t162
@@ -12975,32 +14562,32 @@ def _assemble_step(*arguments):
         t195 = t188 - t170 * (minus_limb3_S_opening_fz - limb3_upper_position_x * (limb3_U_0_cos * t67))  # step
         t196 = t195 * t195  # step
         # limb2: geometry; reciprocal wrenches, eq. (10); loop closure
-        t197 = 2.6179938779914944 + limb2_U_q_1
+        t197 = limb_lower_phase_2 + limb2_U_q_1
         limb2_lower_cos = np.cos(t197)
-        minus_limb2_S_arm_y = 0.8 * limb2_lower_cos
+        minus_limb2_S_arm_y = param_R * limb2_lower_cos
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
         t198 = minus_limb2_U_0_cos * t95  # step
         limb2_U_0_sin = np.cos(limb2_U_q_0)
         t200 = t198 + limb2_U_0_sin * t102  # step
         t201 = minus_limb2_S_arm_y * t200  # step
         minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos
-        limb2_upper_offset_x = 0.3 + limb2_P_q
+        limb2_upper_offset_x = limb_upper_phase + limb2_P_q
         t202 = limb2_upper_offset_x * minus_limb2_lower_rotation_xx + (t58 - t109)
         t203 = minus_limb2_lower_rotation_xx * t202
         limb2_lower_sin = np.sin(t197)
-        minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
+        minus_limb2_upper_position_y = param_R - limb2_lower_sin * limb2_upper_offset_x
         t204 = minus_limb2_upper_position_y + (t42 - t112)
         t206 = t203 - limb2_lower_sin * t204
         minus_limb2_lower_rotation_zx = limb2_U_0_sin * limb2_lower_cos
         t207 = limb2_upper_offset_x * minus_limb2_lower_rotation_zx + (t50 - t116)
         limb2_S_opening_fx = t206 + minus_limb2_lower_rotation_zx * t207
         t209 = minus_limb2_U_0_cos * t67  # step
-        t213 = 1.5098282268426322 * (t201 - (limb2_S_opening_fx - minus_limb2_S_arm_y * t209))  # step
+        t213 = per_length * (t201 - (limb2_S_opening_fx - minus_limb2_S_arm_y * t209))  # step
         t214 = t213 * t213  # step
         minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x
         t215 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
         t216 = limb2_lower_cos * t215
-        limb2_S_arm_x = limb2_upper_offset_x - 0.8 * limb2_lower_sin
+        limb2_S_arm_x = limb2_upper_offset_x - param_R * limb2_lower_sin
         # step: results
         t218 = limb2_S_arm_x * t200
         t221 = minus_limb2_U_0_cos * limb2_lower_sin * t202 + limb2_lower_cos * t204  # limb2
@@ -13011,12 +14598,14 @@ def _assemble_step(*arguments):
         minus_limb2_S_opening_fz = limb2_U_0_sin * t202 - minus_limb2_U_0_cos * t207
         t240 = t233 + t215 * (minus_limb2_S_opening_fz - minus_limb2_upper_position_y * (limb2_U_0_sin * t67))
         t241 = t240 * t240
-        minus_limb1_U2_arm_y = 0.8 * limb1_lower_cos
+        minus_limb1_U2_arm_y = param_R * limb1_lower_cos
         t244 = limb1_U_0_sin * t95 + limb1_U_0_cos * t93
         t245 = minus_limb1_U2_arm_y * t244
-        minus_limb1_U2_opening_fx = limb1_lower_sin * t59 - minus_limb1_lower_rotation_yx * t43 - limb1_lower_rotation_zx * t51
+        minus_limb1_U2_opening_fx = (
+            limb1_lower_sin * t59 - minus_limb1_lower_rotation_yx * t43 - limb1_lower_rotation_zx * t51
+        )
         t250 = limb1_U_0_sin * t67
-        t254 = 1.5098282268426322 * (t245 - (minus_limb1_U2_opening_fx - minus_limb1_U2_arm_y * t250))
+        t254 = per_length * (t245 - (minus_limb1_U2_opening_fx - minus_limb1_U2_arm_y * t250))
         t255 = t254 * t254
         t261 = t102 - t25 * (minus_limb1_upper_position_x * (limb1_U_0_cos * t95 - limb1_U_0_sin * t93))
         t266 = t261 - t25 * (minus_limb1_U2_opening_fz + minus_limb1_upper_position_x * (limb1_U_0_cos * t67))
@@ -13050,7 +14639,7 @@ def _assemble_step(*arguments):
         t335 = limb5_S_q_next_qx * limb5_S_q_next_qx
         limb5_S_q_next_qw = t324 * t330
         t340 = 4.0 - 2.0 * (t334 + (t335 + limb5_S_q_next_qw * limb5_S_q_next_qw))
-        t343 = 0.5196152422706631 * (1.0 - t340 * (t335 + t333))
+        t343 = param_H * (1.0 - t340 * (t335 + t333))
         t344 = t332 * t340
         t345 = limb5_S_q_next_qw * t344
         t346 = limb5_S_q_next_qz * t340
@@ -13059,7 +14648,7 @@ def _assemble_step(*arguments):
         limb1_lower_limb_target_y = t343 - t348
         t350 = limb5_S_q_next_qw * (limb5_S_q_next_qx * t340)
         t351 = t332 * t346
-        t352 = 0.5196152422706631 * (t350 + t351)
+        t352 = param_H * (t350 + t351)
         t353 = limb5_S_q_next_qw * t346
         t354 = limb5_S_q_next_qx * t344
         t355 = 0.5 * (t353 - t354)
@@ -13077,9 +14666,9 @@ def _assemble_step(*arguments):
         t369 = t367 - limb1_U_0_cos * minus_limb1_U_0_sin
         t374 = np.arctan2(t369, -(limb1_U_0_sin * minus_limb1_U_0_sin + limb1_U_0_cos * minus_limb1_U_0_cos))
         limb1_U_q_next_0 = limb1_U_q_0 + t374
-        t375 = 0.5196152422706631 * (t345 - t347)  # platform
+        t375 = param_H * (t345 - t347)  # platform
         t377 = 0.5 * (1.0 - t334 * t340)  # platform
-        limb1_lower_limb_target_z = 0.8 - (t375 + t377)
+        limb1_lower_limb_target_z = param_R - (t375 + t377)
         limb1_lower_limb_length = np.sqrt(limb1_lower_limb_target_z * limb1_lower_limb_target_z + t364)
         t381 = 1.0 / limb1_lower_limb_length
         minus_limb1_lower_cos = t381 * (t361 * t365)
@@ -13088,9 +14677,9 @@ def _assemble_step(*arguments):
         t385 = t383 + limb1_lower_cos * limb1_lower_sin_2
         t389 = np.arctan2(t385, limb1_lower_sin * limb1_lower_sin_2 - limb1_lower_cos * minus_limb1_lower_cos)
         limb1_U_q_next_1 = limb1_U_q_1 + t389
-        limb1_P_q_next = limb1_lower_limb_length - 0.3
+        limb1_P_q_next = limb1_lower_limb_length - limb_upper_phase
         # limb2: geometry; results
-        t390 = 1.5707963267948966 + limb2_U_q_0
+        t390 = limb_U_0_phase + limb2_U_q_0
         t391 = np.sin(t390)
         t392 = 0.5 * (t353 + t354)  # platform
         limb2_lower_limb_target_y_2 = t392 - t375
@@ -13107,9 +14696,11 @@ def _assemble_step(*arguments):
         t406 = t391 * minus_limb2_U_0_cos_2
         minus_limb2_U_0_sin = minus_limb2_lower_limb_target_x * t405
         t408 = t406 - t395 * minus_limb2_U_0_sin
-        limb2_U_q_next_0 = limb2_U_q_0 + np.arctan2(t408, -(t391 * minus_limb2_U_0_sin + t395 * minus_limb2_U_0_cos_2))
+        limb2_U_q_next_0 = (
+            limb2_U_q_0 + np.arctan2(t408, -(t391 * minus_limb2_U_0_sin + t395 * minus_limb2_U_0_cos_2))
+        )
         t416 = 0.5 * (1.0 - (t331 + t335) * t340)  # platform
-        limb2_lower_limb_target_z = 0.8 - (t416 + t352)
+        limb2_lower_limb_target_z = param_R - (t416 + t352)
         limb2_lower_limb_length = np.sqrt(limb2_lower_limb_target_z * limb2_lower_limb_target_z + t403)
         t420 = 1.0 / limb2_lower_limb_length
         minus_limb2_lower_cos = t420 * (t400 * t404)
@@ -13118,7 +14709,7 @@ def _assemble_step(*arguments):
         t424 = t422 + limb2_lower_cos * limb2_lower_sin_2
         t428 = np.arctan2(t424, limb2_lower_sin * limb2_lower_sin_2 - limb2_lower_cos * minus_limb2_lower_cos)
         limb2_U_q_next_1 = limb2_U_q_1 + t428
-        limb2_P_q_next = limb2_lower_limb_length - 0.3
+        limb2_P_q_next = limb2_lower_limb_length - limb_upper_phase
         # limb3: geometry; results
         limb3_lower_limb_target_y_2 = t343 + t348
         minus_limb3_lower_limb_target_x = t352 - t355
@@ -13134,18 +14725,21 @@ def _assemble_step(*arguments):
         t442 = t440 - limb3_U_0_cos * minus_limb3_U_0_sin
         t447 = np.arctan2(t442, -(limb3_U_0_sin * minus_limb3_U_0_sin + limb3_U_0_cos * minus_limb3_U_0_cos))
         limb3_U_q_next_0 = limb3_U_q_0 + t447
-        minus_limb3_lower_limb_target_z = 0.8 + (t375 - t377)
+        minus_limb3_lower_limb_target_z = param_R + (t375 - t377)
         limb3_lower_limb_length = np.sqrt(minus_limb3_lower_limb_target_z * minus_limb3_lower_limb_target_z + t437)
         t451 = 1.0 / limb3_lower_limb_length
         minus_limb3_lower_cos = t451 * (t434 * t438)
         t453 = minus_limb3_lower_sin * minus_limb3_lower_cos
         minus_limb3_lower_sin_2 = minus_limb3_lower_limb_target_z * t451
         t456 = -(t453 + limb3_lower_cos * minus_limb3_lower_sin_2)
-        t460 = np.arctan2(t456, minus_limb3_lower_sin * minus_limb3_lower_sin_2 - limb3_lower_cos * minus_limb3_lower_cos)
+        t460 = (
+            np.arctan2(t456, minus_limb3_lower_sin * minus_limb3_lower_sin_2 - limb3_lower_cos *
+            minus_limb3_lower_cos)
+        )
         limb3_U_q_next_1 = limb3_U_q_1 + t460
-        limb3_P_q_next = limb3_lower_limb_length - 0.3
+        limb3_P_q_next = limb3_lower_limb_length - limb_upper_phase
         # limb4: results; geometry
-        t461 = 1.5707963267948966 + limb4_U_q_0
+        t461 = limb_U_0_phase + limb4_U_q_0
         t462 = np.cos(t461)
         limb4_lower_limb_target_x_2 = t393 + t343
         t463 = np.sin(t461)
@@ -13161,7 +14755,7 @@ def _assemble_step(*arguments):
         t476 = minus_limb4_lower_limb_target_y * t473
         t482 = np.arctan2(t475 - t463 * t476, t463 * t474 + t462 * t476)
         limb4_U_q_next_0 = limb4_U_q_0 + t482
-        minus_limb4_lower_limb_target_z = 0.8 - (t416 - t352)
+        minus_limb4_lower_limb_target_z = param_R - (t416 - t352)
         limb4_lower_limb_length = np.sqrt(minus_limb4_lower_limb_target_z * minus_limb4_lower_limb_target_z + t471)
         t486 = 1.0 / limb4_lower_limb_length
         t488 = t486 * (t468 * t472)
@@ -13169,49 +14763,60 @@ def _assemble_step(*arguments):
         t490 = minus_limb4_lower_limb_target_z * t486
         t493 = -(t489 + limb4_lower_cos * t490)
         limb4_U_q_next_1 = limb4_U_q_1 + np.arctan2(t493, minus_limb4_lower_sin * t490 - limb4_lower_cos * t488)
-        limb4_P_q_next = limb4_lower_limb_length - 0.3
+        limb4_P_q_next = limb4_lower_limb_length - limb_upper_phase
         limb5_S_q_next_qy = -t332
-        t498 = 1.5098282268426322 * minus_limb1_U2_opening_fx  # limb1
+        t498 = per_length * minus_limb1_U2_opening_fx  # limb1
         t499 = t498 * t498  # limb1
-        t500 = 1.5098282268426322 * minus_limb1_U2_opening_fy  # limb1
+        t500 = per_length * minus_limb1_U2_opening_fy  # limb1
         t502 = t499 + t500 * t500  # limb1
-        t503 = 1.5098282268426322 * minus_limb1_U2_opening_fz  # limb1
+        t503 = per_length * minus_limb1_U2_opening_fz  # limb1
         t507 = t502 + t503 * t503 + limb1_U2_opening_mn * limb1_U2_opening_mn  # limb1
-        t508 = 1.5098282268426322 * limb2_S_opening_fx  # limb2
+        t508 = per_length * limb2_S_opening_fx  # limb2
         t510 = t507 + t508 * t508  # residual
-        t511 = 1.5098282268426322 * minus_limb2_S_opening_fy  # limb2
+        t511 = per_length * minus_limb2_S_opening_fy  # limb2
         t513 = t510 + t511 * t511  # residual
-        t514 = 1.5098282268426322 * minus_limb2_S_opening_fz  # limb2
+        t514 = per_length * minus_limb2_S_opening_fz  # limb2
         t516 = t513 + t514 * t514  # residual
-        t517 = 1.5098282268426322 * minus_limb3_S_opening_fx  # limb3
+        t517 = per_length * minus_limb3_S_opening_fx  # limb3
         t519 = t516 + t517 * t517  # residual
-        t520 = 1.5098282268426322 * limb3_S_opening_fy  # limb3
+        t520 = per_length * limb3_S_opening_fy  # limb3
         # residual: results
         t522 = t519 + t520 * t520
-        t523 = 1.5098282268426322 * minus_limb3_S_opening_fz  # limb3
+        t523 = per_length * minus_limb3_S_opening_fz  # limb3
         t525 = t522 + t523 * t523
-        t526 = 1.5098282268426322 * limb4_S_opening_fx  # limb4
+        t526 = per_length * limb4_S_opening_fx  # limb4
         t528 = t525 + t526 * t526
-        t529 = 1.5098282268426322 * limb4_S_opening_fy  # limb4
+        t529 = per_length * limb4_S_opening_fy  # limb4
         t531 = t528 + t529 * t529
-        t532 = 1.5098282268426322 * minus_limb4_S_opening_fz  # limb4
+        t532 = per_length * minus_limb4_S_opening_fz  # limb4
         residual_residual = np.sqrt(t531 + t532 * t532)
         t537 = limb1_upper_offset_x * (limb4_upper_offset_x * (limb2_upper_offset_x * limb3_upper_offset_x))
-        t540 = minus_limb4_U_0_lever_mz_by_limb4_S_fz * (minus_limb2_U_0_lever_mz_by_limb2_S_fz * (minus_limb3_U_0_lever_mz_by_limb3_S_fz * t537))
+        t540 = (
+            minus_limb4_U_0_lever_mz_by_limb4_S_fz * (minus_limb2_U_0_lever_mz_by_limb2_S_fz *
+            (minus_limb3_U_0_lever_mz_by_limb3_S_fz * t537))
+        )
         t543 = a_pivot * (minus_limb1_U_0_lever_mz_by_limb1_U2_fz * t540 * minus_limb5_S_pivot_wz)
         orientation_orientation = -t543
+        guards = (  # status 1 where a pivot is smaller than its limit:
+            (minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-13),  # where the reciprocal wrench limb3_S.fz has no
+            # power along limb3_U.0, as in a stretched limb
+            (minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-13),  # where the reciprocal wrench limb2_S.fz has no
+            # power along limb2_U.0, as in a stretched limb
+            (minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-13),  # where the reciprocal wrench limb4_S.fz has no
+            # power along limb4_U.0, as in a stretched limb
+            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-13),  # where the reciprocal wrench limb1_U2.fz has
+            # no power along limb1_U.0, as in a stretched limb
+            (minus_limb5_S_pivot_wz, 1.0e-12),  # where the loops no longer determine limb5_S.wz
+            (a_pivot, 1.0e-12),  # where the elimination meets a singularity
+        )
         return _finish(batch, ((limb1_U_q_next_0, limb1_U_q_next_1, limb1_P_q_next,
             limb2_U_q_next_0, limb2_U_q_next_1, limb2_P_q_next, limb3_U_q_next_0, limb3_U_q_next_1,
             limb3_P_q_next, limb4_U_q_next_0, limb4_U_q_next_1, limb4_P_q_next, limb5_S_q_next_qw,
             limb5_S_q_next_qx, limb5_S_q_next_qy, limb5_S_q_next_qz), (residual_residual,),
-            (step_step,), (orientation_orientation,)), ((minus_limb3_U_0_lever_mz_by_limb3_S_fz,
-            6.62327e-13), (minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-13),
-            (minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-13),
-            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-13), (minus_limb5_S_pivot_wz,
-            1.0e-12), (a_pivot, 1.0e-12)), (step_step, limb1_U_q_next_0, limb1_U_q_next_1,
-            limb1_P_q_next, limb2_U_q_next_0, limb2_U_q_next_1, limb2_P_q_next, limb3_U_q_next_0,
-            limb3_U_q_next_1, limb3_P_q_next, limb4_U_q_next_0, limb4_U_q_next_1, limb4_P_q_next,
-            residual_residual, t543), ((t7, 0.999999, 1.000001, 5),))
+            (step_step,), (orientation_orientation,)), guards, (step_step, limb1_U_q_next_0,
+            limb1_U_q_next_1, limb1_P_q_next, limb2_U_q_next_0, limb2_U_q_next_1, limb2_P_q_next,
+            limb3_U_q_next_0, limb3_U_q_next_1, limb3_P_q_next, limb4_U_q_next_0, limb4_U_q_next_1,
+            limb4_P_q_next, residual_residual, t543), ((t7, 0.999999, 1.000001, 5),))
 
 
 def assemble(*arguments):
@@ -13273,7 +14878,7 @@ def limb_margins(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # limb1: geometry; reciprocal wrenches, eq. (10); results
-        limb1_upper_offset_x = 0.3 + limb1_P_q
+        limb1_upper_offset_x = limb_upper_phase + limb1_P_q
         limb1_U_0_cos = np.cos(limb1_U_q_0)
         t1 = limb5_S_q_qw * limb5_S_q_qw  # limb5_S
         t2 = limb5_S_q_qx * limb5_S_q_qx  # limb5_S
@@ -13285,25 +14890,26 @@ def limb_margins(*arguments):
         t12 = limb1_U_0_cos * (1.0 - t9 * (t2 + t5))
         limb1_U_0_sin = np.sin(limb1_U_q_0)
         t17 = limb1_U_0_sin * (limb5_S_q_qy * (limb5_S_q_qz * t9) + limb5_S_q_qw * (limb5_S_q_qx * t9))
-        t19 = 1.5098282268426322 * (limb1_upper_offset_x * (t12 + t17))
-        t20 = 0.5235987755982989 + limb1_U_q_1
+        t19 = per_length * (limb1_upper_offset_x * (t12 + t17))
+        t20 = limb_lower_phase + limb1_U_q_1
         limb1_lower_sin = np.sin(t20)
         t21 = limb1_lower_sin * limb1_lower_sin
-        t22 = 1.5098282268426322 * limb1_upper_offset_x
+        t22 = per_length * limb1_upper_offset_x
         t23 = limb1_lower_sin * t22
         t25 = t21 + t23 * t23
         t26 = np.cos(t20) * t22
         limb1_margins = t19 * (t25 + t26 * t26)
-        t29 = 1.5098282268426322 * (0.3 + limb2_P_q)  # limb2
-        t32 = t29 * (np.cos(2.6179938779914944 + limb2_U_q_1) * t29)  # limb2
+        t29 = per_length * (limb_upper_phase + limb2_P_q)  # limb2
+        t32 = t29 * (np.cos(limb_lower_phase_2 + limb2_U_q_1) * t29)  # limb2
         limb2_margins = -t32
-        t33 = 1.5098282268426322 * (0.3 + limb3_P_q)  # limb3
-        limb3_margins = t33 * (np.cos(0.5235987755982989 - limb3_U_q_1) * t33)
-        t36 = 1.5098282268426322 * (0.3 + limb4_P_q)  # limb4
-        t39 = t36 * (np.cos(2.6179938779914944 - limb4_U_q_1) * t36)  # limb4
+        t33 = per_length * (limb_upper_phase + limb3_P_q)  # limb3
+        limb3_margins = t33 * (np.cos(limb_lower_phase - limb3_U_q_1) * t33)
+        t36 = per_length * (limb_upper_phase + limb4_P_q)  # limb4
+        t39 = t36 * (np.cos(limb_lower_phase_2 - limb4_U_q_1) * t36)  # limb4
         limb4_margins = -t39
+        guards = ()
         return _finish(batch, ((limb1_margins, limb2_margins, limb3_margins, limb4_margins, 1.0),),
-            (), (limb1_margins, t32, limb3_margins, t39, limb2_U_q_0, limb3_U_q_0, limb4_U_q_0),
+            guards, (limb1_margins, t32, limb3_margins, t39, limb2_U_q_0, limb3_U_q_0, limb4_U_q_0),
             ((t7, 0.999999, 1.000001, 5),))
 
 
@@ -13335,7 +14941,7 @@ def constraint_margin(*arguments):
         # limb1: geometry
         limb1_U_0_cos = np.cos(limb1_U_q_0)
         limb1_U_0_sin = np.sin(limb1_U_q_0)
-        t1 = 0.5235987755982989 + limb1_U_q_1
+        t1 = limb_lower_phase + limb1_U_q_1
         limb1_lower_cos = np.cos(t1)
         # limb5_S: geometry
         t2 = limb5_S_q_qw * limb5_S_q_qw
@@ -13352,23 +14958,30 @@ def constraint_margin(*arguments):
         platform_turn_zy = limb5_S_q_qy * t14 + limb5_S_q_qw * (limb5_S_q_qx * t10)
         t20 = limb1_lower_cos * (t13 - limb1_U_0_cos * platform_turn_zy)
         limb1_lower_sin = np.sin(t1)
-        limb1_U2_constraint_mn_couple_z = t20 - limb1_lower_sin * (limb5_S_q_qx * (limb5_S_q_qy * t10) - limb5_S_q_qw * t14)
+        limb1_U2_constraint_mn_couple_z = (
+            t20 - limb1_lower_sin * (limb5_S_q_qx * (limb5_S_q_qy * t10) - limb5_S_q_qw * t14)
+        )
         t25 = limb1_U_0_sin * limb1_U2_constraint_mn_couple_z
         limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy
         limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x
         base_lever_mz_by_limb1_U2_mn = t25 + limb1_U_0_cos * limb1_U_0_lever_my_by_limb1_U2_mn
-        limb1_upper_offset_x = 0.3 + limb1_P_q
-        t30 = limb1_upper_offset_x * (1.5098282268426322 * limb1_lower_cos)
+        limb1_upper_offset_x = limb_upper_phase + limb1_P_q
+        t30 = limb1_upper_offset_x * (per_length * limb1_lower_cos)
         t31 = base_lever_mz_by_limb1_U2_mn * t30  # platform
         limb1_U_0_lever_mz_by_limb1_U2_mn = limb1_lower_sin * limb1_U2_constraint_mn_couple_x
-        minus_limb1_upper_position_x = 0.8 - limb1_lower_sin * limb1_upper_offset_x
-        t33 = limb1_U_0_lever_mz_by_limb1_U2_mn * (1.5098282268426322 * (limb1_U_0_cos * minus_limb1_upper_position_x))  # platform
+        minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x
+        t33 = (
+            limb1_U_0_lever_mz_by_limb1_U2_mn * (per_length * (limb1_U_0_cos * minus_limb1_upper_position_x))
+        )  # platform
         t35 = limb1_U_0_cos * (t31 - t33)  # platform
         t36 = limb1_U_0_cos * limb1_U2_constraint_mn_couple_z
         t37 = (t36 - limb1_U_0_sin * limb1_U_0_lever_my_by_limb1_U2_mn) * t30  # platform
-        t39 = limb1_U_0_lever_mz_by_limb1_U2_mn * (1.5098282268426322 * (limb1_U_0_sin * minus_limb1_upper_position_x))  # platform
+        t39 = (
+            limb1_U_0_lever_mz_by_limb1_U2_mn * (per_length * (limb1_U_0_sin * minus_limb1_upper_position_x))
+        )  # platform
         platform_margins = t35 - limb1_U_0_sin * (t37 + t39)
-        return _finish(batch, ((platform_margins,),), (), (platform_margins, limb2_U_q_0,
+        guards = ()
+        return _finish(batch, ((platform_margins,),), guards, (platform_margins, limb2_U_q_0,
             limb2_U_q_1, limb2_P_q, limb3_U_q_0, limb3_U_q_1, limb3_P_q, limb4_U_q_0, limb4_U_q_1,
             limb4_P_q), ((t8, 0.999999, 1.000001, 5),))
 
@@ -13402,30 +15015,30 @@ def actuation_margins(*arguments):
     with np.errstate(all="ignore"):
         # limb2: geometry; results
         limb2_U_0_sin = np.cos(limb2_U_q_0)
-        limb2_lower_cos = np.cos(2.6179938779914944 + limb2_U_q_1)
-        t2 = 1.2078625814741057 * (limb2_U_0_sin * limb2_lower_cos)
+        limb2_lower_cos = np.cos(limb_lower_phase_2 + limb2_U_q_1)
+        t2 = per_length_param_R * (limb2_U_0_sin * limb2_lower_cos)
         limb3_U_0_cos = np.cos(limb3_U_q_0)
-        limb3_lower_cos = np.cos(0.5235987755982989 - limb3_U_q_1)
-        t4 = 1.2078625814741057 * (limb3_U_0_cos * limb3_lower_cos)  # limb3
+        limb3_lower_cos = np.cos(limb_lower_phase - limb3_U_q_1)
+        t4 = per_length_param_R * (limb3_U_0_cos * limb3_lower_cos)  # limb3
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
-        limb4_lower_cos = np.cos(2.6179938779914944 - limb4_U_q_1)
-        t6 = 1.2078625814741057 * (minus_limb4_U_0_cos * limb4_lower_cos)  # limb4
+        limb4_lower_cos = np.cos(limb_lower_phase_2 - limb4_U_q_1)
+        t6 = per_length_param_R * (minus_limb4_U_0_cos * limb4_lower_cos)  # limb4
         t8 = t2 * (t4 * t6)  # all drives
-        t9 = 1.2078625814741057 * (np.sin(limb2_U_q_0) * limb2_lower_cos)
-        t10 = 1.2078625814741057 * (np.cos(limb4_U_q_0) * limb4_lower_cos)  # limb4
+        t9 = per_length_param_R * (np.sin(limb2_U_q_0) * limb2_lower_cos)
+        t10 = per_length_param_R * (np.cos(limb4_U_q_0) * limb4_lower_cos)  # limb4
         t11 = t4 * t10  # all drives
         t13 = t8 - t9 * t11  # all drives
         t14 = t13 * t13  # all drives
         limb1_U_0_cos = np.cos(limb1_U_q_0)
-        t15 = 0.5235987755982989 + limb1_U_q_1  # limb1
+        t15 = limb_lower_phase + limb1_U_q_1  # limb1
         limb1_lower_cos = np.cos(t15)
-        t16 = 1.2078625814741057 * (limb1_U_0_cos * limb1_lower_cos)  # limb1
-        t17 = 1.2078625814741057 * (np.sin(limb3_U_q_0) * limb3_lower_cos)  # limb3
+        t16 = per_length_param_R * (limb1_U_0_cos * limb1_lower_cos)  # limb1
+        t17 = per_length_param_R * (np.sin(limb3_U_q_0) * limb3_lower_cos)  # limb3
         # all drives: results
         t18 = t17 * t10
         t19 = t16 * t18
         limb1_U_0_sin = np.sin(limb1_U_q_0)
-        t20 = 1.2078625814741057 * (limb1_U_0_sin * limb1_lower_cos)  # limb1
+        t20 = per_length_param_R * (limb1_U_0_sin * limb1_lower_cos)  # limb1
         t22 = t19 - t20 * t11
         t23 = t22 * t22
         t26 = t2 * t6 - t9 * t10
@@ -13451,23 +15064,25 @@ def actuation_margins(*arguments):
         platform_turn_zy = limb5_S_q_qy * t47 + limb5_S_q_qw * (limb5_S_q_qx * t43)
         t53 = limb1_lower_cos * (t46 - limb1_U_0_cos * platform_turn_zy)
         limb1_lower_sin = np.sin(t15)
-        limb1_U2_constraint_mn_couple_z = t53 - limb1_lower_sin * (limb5_S_q_qx * (limb5_S_q_qy * t43) - limb5_S_q_qw * t47)
+        limb1_U2_constraint_mn_couple_z = (
+            t53 - limb1_lower_sin * (limb5_S_q_qx * (limb5_S_q_qy * t43) - limb5_S_q_qw * t47)
+        )
         t58 = limb1_U_0_sin * limb1_U2_constraint_mn_couple_z
         limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy
         limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x
         base_lever_mz_by_limb1_U2_mn = t58 + limb1_U_0_cos * limb1_U_0_lever_my_by_limb1_U2_mn
-        limb1_upper_offset_x = 0.3 + limb1_P_q
-        t63 = limb1_upper_offset_x * (1.5098282268426322 * limb1_lower_cos)
+        limb1_upper_offset_x = limb_upper_phase + limb1_P_q
+        t63 = limb1_upper_offset_x * (per_length * limb1_lower_cos)
         # all drives: results
         t64 = base_lever_mz_by_limb1_U2_mn * t63
         limb1_U_0_lever_mz_by_limb1_U2_mn = limb1_lower_sin * limb1_U2_constraint_mn_couple_x
-        minus_limb1_upper_position_x = 0.8 - limb1_lower_sin * limb1_upper_offset_x
-        t66 = limb1_U_0_lever_mz_by_limb1_U2_mn * (1.5098282268426322 * (limb1_U_0_cos * minus_limb1_upper_position_x))
+        minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x
+        t66 = limb1_U_0_lever_mz_by_limb1_U2_mn * (per_length * (limb1_U_0_cos * minus_limb1_upper_position_x))
         t67 = t64 - t66
         t69 = t16 * (t2 * t67)
         t70 = limb1_U_0_cos * limb1_U2_constraint_mn_couple_z  # limb1
         t71 = (t70 - limb1_U_0_sin * limb1_U_0_lever_my_by_limb1_U2_mn) * t63
-        t73 = limb1_U_0_lever_mz_by_limb1_U2_mn * (1.5098282268426322 * (limb1_U_0_sin * minus_limb1_upper_position_x))
+        t73 = limb1_U_0_lever_mz_by_limb1_U2_mn * (per_length * (limb1_U_0_sin * minus_limb1_upper_position_x))
         t74 = t71 + t73
         t77 = t69 - t20 * (t2 * t74)
         t78 = t77 * t77
@@ -13488,8 +15103,9 @@ def actuation_margins(*arguments):
         limb2_P_limb3_P_margins = t2 * t109
         limb2_P_limb4_P_margins = -t94
         limb3_P_limb4_P_margins = t10 * t109
+        guards = ()
         return _finish(batch, ((all_drives_margins, limb1_P_limb2_P_margins,
             limb1_P_limb4_P_margins, limb2_P_limb3_P_margins, limb2_P_limb4_P_margins,
-            limb3_P_limb4_P_margins),), (), (all_drives_margins, t105, t106,
+            limb3_P_limb4_P_margins),), guards, (all_drives_margins, t105, t106,
             limb2_P_limb3_P_margins, limb3_P_limb4_P_margins, limb2_P_q, limb3_P_q, limb4_P_q),
             ((t41, 0.999999, 1.000001, 5),))

@@ -81,7 +81,8 @@ STAGE(joint_reactions, 0)(size_t limb, size_t stride, const double *restrict q, 
     OWN(signed_S_multiplier_fz) = OWN(t1) * U_0_moment_z;
     OWN(t2) = t46 * OWN(t1);
     OWN(minus_S_arm_y) = each_param_R * lower_cos;
-    const LIMB4 t21 = OWN(minus_S_arm_y) * OWN(upper_rate_fx), t13 = OWN(minus_S_arm_y) * OWN(signed_S_multiplier_fz),
+    const LIMB4 t21 = OWN(minus_S_arm_y) * OWN(upper_rate_fx), t13 = OWN(minus_S_arm_y) *
+        OWN(signed_S_multiplier_fz),
       t36 = signed_lower_sin * t13, t14 = t46 * t13;
     OWN(S_arm_x) = OWN(upper_offset_x) - param_R * signed_lower_sin;
     const LIMB4 t15 = OWN(S_arm_x) * OWN(signed_S_multiplier_fz);
@@ -146,7 +147,8 @@ STAGE(joint_reactions, 3)(size_t limb, size_t stride, double *restrict reactions
     OWN(t12) = t64 - t47;
     const LIMB4 signed_lower_rotation_yy = signed_U_0_sin * signed_lower_sin;
     /* each limb: reactions, eq. (32); geometry; balance, eqs. (40)-(47) */
-    const LIMB4 signed_S_reaction_fx = t47 - (signed_lower_rotation_yy * t66 - OWN(signed_lower_rotation_yx) * OWN(S_multiplier_fx));
+    const LIMB4 signed_S_reaction_fx = t47 - (signed_lower_rotation_yy * t66 - OWN(signed_lower_rotation_yx) *
+        OWN(S_multiplier_fx));
     WRITE4(reactions, 13, 30, 49, 66, sign2 * signed_S_reaction_fx);
     const LIMB4 signed_upper_position_x = signed_lower_sin * OWN(upper_offset_x) + (-param_R),
       t60 = signed_upper_position_x * signed_S_reaction_fx;
@@ -176,7 +178,8 @@ STAGE(joint_reactions, 3)(size_t limb, size_t stride, double *restrict reactions
       t41 = signed_lower_rotation_zy * OWN(signed_upper_rate_my_2),
       t22 = signed_lower_rotation_zy * minus_upper_sent_fy,
       lower_sent_fy = OWN(lower_rate_fy_2) - minus_upper_sent_fy, t68 = sign2 * GIVEN(upper_rate_mx_2),
-      signed_P_reaction_mz = t39 + (signed_U_0_sin * GIVEN(minus_upper_rate_mz_2) - (t41 + OWN(signed_lower_rotation_zx) * t68));
+      signed_P_reaction_mz = t39 + (signed_U_0_sin * GIVEN(minus_upper_rate_mz_2) - (t41 +
+          OWN(signed_lower_rotation_zx) * t68));
     WRITE4(reactions, 11, 29, 47, 65, -sign4 * signed_P_reaction_mz);
     LIMB4 checked = OWN(checked) + signed_P_reaction_mz;
     const LIMB4 signed_P_reaction_fz = signed_U_0_sin * signed_upper_sent_fz - t22;
@@ -194,7 +197,8 @@ STAGE(joint_reactions, 3)(size_t limb, size_t stride, double *restrict reactions
       signed_lower_joint_sent_fx = t67 * OWN(lower_sent_fx) - signed_lower_sin * lower_sent_fy,
       t5 = signed_U_0_sin * signed_lower_joint_sent_fx, t7 = U_0_cos * signed_lower_joint_sent_fx,
       signed_lower_sent_fz = OWN(signed_lower_rate_fz_2) - signed_upper_sent_fz,
-      signed_lower_sent_my = OWN(upper_offset_x) * signed_upper_sent_fz - OWN(signed_upper_rate_my_2) - OWN(signed_lower_rate_my_2),
+      signed_lower_sent_my = OWN(upper_offset_x) * signed_upper_sent_fz - OWN(signed_upper_rate_my_2) -
+          OWN(signed_lower_rate_my_2),
       signed_U_0_joint_sent_fx = t5 - U_0_cos * signed_lower_sent_fz;
     WRITE4(reactions, 1, 18, 37, 54, -sign2 * signed_U_0_joint_sent_fx);
     const LIMB4 t18 = param_R * signed_U_0_joint_sent_fx,
@@ -245,7 +249,8 @@ BODY(three_ups_upu_s_joint_reactions)(size_t stride, const double *restrict q, c
       t24 = limb1_U_0_sin * t23,
       t28 = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy);
     /* platform: geometry; balance, eqs. (40)-(47); drives */
-    const REAL t30 = limb5_S_q_qx * t29, t44 = limb5_S_q_qw * t29, t31 = limb5_S_q_qw * t13, t43 = limb5_S_q_qx * t13,
+    const REAL t30 = limb5_S_q_qx * t29, t44 = limb5_S_q_qw * t29, t31 = limb5_S_q_qw * t13, t43 = limb5_S_q_qx *
+        t13,
       platform_turn_xy = t30 - t31, platform_turn_yx = t30 + t31,
       limb1_U2_constraint_mn_couple_z = t28 - limb1_lower_sin * platform_turn_xy,
       limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * limbs.t2[0],
@@ -254,17 +259,23 @@ BODY(three_ups_upu_s_joint_reactions)(size_t stride, const double *restrict q, c
     REAL checked0 = platform_joint_force_mz_by_limb1_U2_mn;
     const REAL t38 = 1.0 / platform_joint_force_mz_by_limb1_U2_mn,
       t35 = t24 - limb1_U_0_cos * minus_limb1_U2_factor_0_by_3;
-    const EACH4 platform_joint_force_mx_by_limb1_U2_mn_2 = {t35, platform_joint_force_mx_by_limb1_U2_mn, t35, platform_joint_force_mx_by_limb1_U2_mn},
-      platform_joint_force_mx_by_U2_mn = {platform_joint_force_mx_by_limb1_U2_mn, t35, platform_joint_force_mx_by_limb1_U2_mn, t35};
+    const EACH4 platform_joint_force_mx_by_limb1_U2_mn_2 = {t35, platform_joint_force_mx_by_limb1_U2_mn, t35,
+        platform_joint_force_mx_by_limb1_U2_mn},
+      platform_joint_force_mx_by_U2_mn = {platform_joint_force_mx_by_limb1_U2_mn, t35,
+          platform_joint_force_mx_by_limb1_U2_mn, t35};
     NEXT_LIMB(1, joint_reactions, 0, stride, q, v, a, sine, cosine, &limbs);
-    FIRST_LIMB(1, joint_reactions, 1, stride, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn_2, platform_joint_force_mx_by_U2_mn, &limbs);
-    NEXT_LIMB(0, joint_reactions, 1, stride, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn_2, platform_joint_force_mx_by_U2_mn, &limbs);
+    FIRST_LIMB(1, joint_reactions, 1, stride, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn_2,
+        platform_joint_force_mx_by_U2_mn, &limbs);
+    NEXT_LIMB(0, joint_reactions, 1, stride, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn_2,
+        platform_joint_force_mx_by_U2_mn, &limbs);
     const REAL t41 = limbs.t3[1] + limbs.t3[0];
     NEXT_LIMB(2, joint_reactions, 0, stride, q, v, a, sine, cosine, &limbs);
-    NEXT_LIMB(2, joint_reactions, 1, stride, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn_2, platform_joint_force_mx_by_U2_mn, &limbs);
+    NEXT_LIMB(2, joint_reactions, 1, stride, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn_2,
+        platform_joint_force_mx_by_U2_mn, &limbs);
     const REAL t42 = limbs.t3[2] + t41;
     NEXT_LIMB(3, joint_reactions, 0, stride, q, v, a, sine, cosine, &limbs);
-    NEXT_LIMB(3, joint_reactions, 1, stride, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn_2, platform_joint_force_mx_by_U2_mn, &limbs);
+    NEXT_LIMB(3, joint_reactions, 1, stride, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn_2,
+        platform_joint_force_mx_by_U2_mn, &limbs);
     const REAL minus_drives_share_0_1 = limbs.t3[3] + t42, t85 = minus_drives_share_0_1 * minus_drives_share_0_1,
       drives_share_1_1 = limbs.t8[3] + (limbs.t7[2] + (limbs.t8[1] + limbs.t7[0])),
       drives_share_0_0 = limbs.t7[3] + (limbs.t8[2] + (limbs.t7[1] + limbs.t8[0])),
@@ -282,43 +293,60 @@ BODY(three_ups_upu_s_joint_reactions)(size_t stride, const double *restrict q, c
       platform_rate_my = platform_moment_y - (k12 * platform_U_still_xz - k13 * limb5_S_a_wy);
     /* platform: balance, eqs. (40)-(47); momentum rate, eq. (35); drives */
     const REAL t53 = t48 - platform_turn_zy * platform_rate_my, platform_rate_mz = platform_Izz * READ(a, 14),
-      minus_platform_joint_force_mz = limbs.t4[3] - (limbs.t4[2] - (limbs.t4[1] + (t53 - platform_turn_zz * platform_rate_mz - limbs.t4[0]))),
+      minus_platform_joint_force_mz = limbs.t4[3] - (limbs.t4[2] - (limbs.t4[1] + (t53 - platform_turn_zz *
+          platform_rate_mz - limbs.t4[0]))),
       limb1_U2_part_mn = t38 * minus_platform_joint_force_mz,
       t61 = platform_joint_force_mx_by_limb1_U2_mn * limb1_U2_part_mn, t74 = t35 * limb1_U2_part_mn,
       t65 = platform_turn_xx * minus_platform_rate_mx - platform_turn_xy * platform_rate_my,
       t77 = platform_turn_yx * minus_platform_rate_mx - platform_turn_yy * platform_rate_my,
-      minus_platform_joint_force_mx = limbs.t5[3] + (t65 - platform_turn_xz * platform_rate_mz - limbs.t6[0] + limbs.t5[1] - limbs.t6[2]),
+      minus_platform_joint_force_mx = limbs.t5[3] + (t65 - platform_turn_xz * platform_rate_mz - limbs.t6[0] +
+          limbs.t5[1] - limbs.t6[2]),
       limb5_S_balance_wx = t61 - minus_platform_joint_force_mx,
-      minus_platform_joint_force_my = limbs.t5[2] - (limbs.t6[1] - (t77 - platform_turn_yz * platform_rate_mz + limbs.t5[0])) - limbs.t6[3],
+      minus_platform_joint_force_my = limbs.t5[2] - (limbs.t6[1] - (t77 - platform_turn_yz * platform_rate_mz +
+          limbs.t5[0])) - limbs.t6[3],
       minus_limb5_S_balance_wy = t74 + minus_platform_joint_force_my,
       t93 = minus_drives_share_0_1 * minus_limb5_S_balance_wy - drives_share_1_1 * limb5_S_balance_wx,
       t90 = (minus_drives_share_0_1 * limb5_S_balance_wx - drives_share_0_0 * minus_limb5_S_balance_wy) * t89,
       t94 = t89 * t93;
     const EACH4 given = {t90, t94, t90, t94}, given_2 = {t94, t90, t94, t90};
-    FIRST_LIMB(0, joint_reactions, 2, stride, u, given, given_2, limb1_U_factor_1_by_3, minus_limb1_U_factor_0_by_3, &limbs);
-    NEXT_LIMB(1, joint_reactions, 2, stride, u, given, given_2, limb1_U_factor_1_by_3, minus_limb1_U_factor_0_by_3, &limbs);
-    NEXT_LIMB(2, joint_reactions, 2, stride, u, given, given_2, limb1_U_factor_1_by_3, minus_limb1_U_factor_0_by_3, &limbs);
-    NEXT_LIMB(3, joint_reactions, 2, stride, u, given, given_2, limb1_U_factor_1_by_3, minus_limb1_U_factor_0_by_3, &limbs);
-    const REAL t97 = limbs.t9[1] + (limbs.t9[0] - (limbs.minus_S_multiplier_fy[0] + limb1_U_factor_1_by_3 * limb1_U2_part_mn)); /* limb1 */
-    const EACH4 signed_S_multiplier_fy = {limbs.t9[3] + (limbs.t9[2] + t97), limbs.minus_S_multiplier_fy[1], limbs.minus_S_multiplier_fy[2], limbs.minus_S_multiplier_fy[3]};
+    FIRST_LIMB(0, joint_reactions, 2, stride, u, given, given_2, limb1_U_factor_1_by_3, minus_limb1_U_factor_0_by_3,
+        &limbs);
+    NEXT_LIMB(1, joint_reactions, 2, stride, u, given, given_2, limb1_U_factor_1_by_3, minus_limb1_U_factor_0_by_3,
+        &limbs);
+    NEXT_LIMB(2, joint_reactions, 2, stride, u, given, given_2, limb1_U_factor_1_by_3, minus_limb1_U_factor_0_by_3,
+        &limbs);
+    NEXT_LIMB(3, joint_reactions, 2, stride, u, given, given_2, limb1_U_factor_1_by_3, minus_limb1_U_factor_0_by_3,
+        &limbs);
+    const REAL t97 = limbs.t9[1] + (limbs.t9[0] - (limbs.minus_S_multiplier_fy[0] + limb1_U_factor_1_by_3 *
+        limb1_U2_part_mn)); /* limb1 */
+    const EACH4 signed_S_multiplier_fy = {limbs.t9[3] + (limbs.t9[2] + t97), limbs.minus_S_multiplier_fy[1],
+        limbs.minus_S_multiplier_fy[2], limbs.minus_S_multiplier_fy[3]};
     const REAL t99 = minus_limb1_U_factor_0_by_3 * limb1_U2_part_mn, /* limb1 */
-      minus_limb1_U2_multiplier_mn = limbs.t11[3] + (limbs.t11[2] + (limbs.t11[1] - (limb1_U2_part_mn - limbs.t11[0]))),
+      minus_limb1_U2_multiplier_mn = limbs.t11[3] + (limbs.t11[2] + (limbs.t11[1] - (limb1_U2_part_mn -
+          limbs.t11[0]))),
       limb1_U2_joint_reaction_mx = limb1_U2_constraint_mn_couple_x * minus_limb1_U2_multiplier_mn,
       limb1_U2_joint_reaction_mz = limb1_U2_constraint_mn_couple_z * minus_limb1_U2_multiplier_mn,
-      minus_limb1_U2_multiplier_fz = limbs.t10[3] + (limbs.t10[2] + (limbs.t10[1] + (limbs.t10[0] + (limbs.signed_S_multiplier_fz[0] - t99))));
-    const EACH4 signed_S_multiplier_fz = {minus_limb1_U2_multiplier_fz, limbs.signed_S_multiplier_fz[1], limbs.signed_S_multiplier_fz[2], limbs.signed_S_multiplier_fz[3]};
+      minus_limb1_U2_multiplier_fz = limbs.t10[3] + (limbs.t10[2] + (limbs.t10[1] + (limbs.t10[0] +
+          (limbs.signed_S_multiplier_fz[0] - t99))));
+    const EACH4 signed_S_multiplier_fz = {minus_limb1_U2_multiplier_fz, limbs.signed_S_multiplier_fz[1],
+        limbs.signed_S_multiplier_fz[2], limbs.signed_S_multiplier_fz[3]};
     const REAL limb1_upper_sent_mx = limbs.upper_rate_mx[0] + limb1_U2_joint_reaction_mx;
-    const EACH4 upper_rate_mx = {limbs.upper_rate_mx[0] + limb1_upper_sent_mx, limbs.upper_rate_mx[1], limbs.upper_rate_mx[2], limbs.upper_rate_mx[3]},
-      upper_rate_mx_2 = {limb1_upper_sent_mx, limbs.upper_rate_mx[1], limbs.upper_rate_mx[2], limbs.upper_rate_mx[3]},
-      minus_upper_rate_mz_2 = {limbs.minus_upper_rate_mz_2[0] - limb1_U2_joint_reaction_mz, limbs.minus_upper_rate_mz_2[1], limbs.minus_upper_rate_mz_2[2], limbs.minus_upper_rate_mz_2[3]};
-    FIRST_LIMB(2, joint_reactions, 3, stride, reactions, sine, cosine, signed_S_multiplier_fy, signed_S_multiplier_fz, upper_rate_mx, upper_rate_mx_2, minus_upper_rate_mz_2, &limbs);
+    const EACH4 upper_rate_mx = {limbs.upper_rate_mx[0] + limb1_upper_sent_mx, limbs.upper_rate_mx[1],
+        limbs.upper_rate_mx[2], limbs.upper_rate_mx[3]},
+      upper_rate_mx_2 = {limb1_upper_sent_mx, limbs.upper_rate_mx[1], limbs.upper_rate_mx[2],
+          limbs.upper_rate_mx[3]},
+      minus_upper_rate_mz_2 = {limbs.minus_upper_rate_mz_2[0] - limb1_U2_joint_reaction_mz,
+          limbs.minus_upper_rate_mz_2[1], limbs.minus_upper_rate_mz_2[2], limbs.minus_upper_rate_mz_2[3]};
+    FIRST_LIMB(2, joint_reactions, 3, stride, reactions, sine, cosine, signed_S_multiplier_fy,
+        signed_S_multiplier_fz, upper_rate_mx, upper_rate_mx_2, minus_upper_rate_mz_2, &limbs);
     WRITE(reactions, 51, limbs.S_reaction_my[2]);
     REAL checked2 = limbs.S_reaction_my[2];
     WRITE(reactions, 52, limbs.S_reaction_mx[2]);
     REAL checked3 = limbs.S_reaction_mx[2];
     checked0 = checked0 + limbs.signed_S_reaction_mz[2];
     checked1 = checked1 + ALONE(limbs.checked[2]);
-    NEXT_LIMB(1, joint_reactions, 3, stride, reactions, sine, cosine, signed_S_multiplier_fy, signed_S_multiplier_fz, upper_rate_mx, upper_rate_mx_2, minus_upper_rate_mz_2, &limbs);
+    NEXT_LIMB(1, joint_reactions, 3, stride, reactions, sine, cosine, signed_S_multiplier_fy,
+        signed_S_multiplier_fz, upper_rate_mx, upper_rate_mx_2, minus_upper_rate_mz_2, &limbs);
     WRITE(reactions, 34, limbs.S_reaction_my[1]);
     checked2 = checked2 + limbs.S_reaction_my[1];
     WRITE(reactions, 33, limbs.S_reaction_mx[1]);
@@ -326,7 +354,8 @@ BODY(three_ups_upu_s_joint_reactions)(size_t stride, const double *restrict q, c
     WRITE(reactions, 35, limbs.signed_S_reaction_mz[1]);
     checked0 = checked0 + limbs.signed_S_reaction_mz[1];
     checked1 = checked1 + ALONE(limbs.checked[1]);
-    NEXT_LIMB(3, joint_reactions, 3, stride, reactions, sine, cosine, signed_S_multiplier_fy, signed_S_multiplier_fz, upper_rate_mx, upper_rate_mx_2, minus_upper_rate_mz_2, &limbs);
+    NEXT_LIMB(3, joint_reactions, 3, stride, reactions, sine, cosine, signed_S_multiplier_fy,
+        signed_S_multiplier_fz, upper_rate_mx, upper_rate_mx_2, minus_upper_rate_mz_2, &limbs);
     WRITE(reactions, 70, limbs.S_reaction_my[3]);
     checked2 = checked2 + limbs.S_reaction_my[3];
     WRITE(reactions, 69, limbs.S_reaction_mx[3]);
@@ -334,7 +363,8 @@ BODY(three_ups_upu_s_joint_reactions)(size_t stride, const double *restrict q, c
     WRITE(reactions, 71, limbs.signed_S_reaction_mz[3]);
     checked0 = checked0 + limbs.signed_S_reaction_mz[3];
     checked1 = checked1 + ALONE(limbs.checked[3]);
-    NEXT_LIMB(0, joint_reactions, 3, stride, reactions, sine, cosine, signed_S_multiplier_fy, signed_S_multiplier_fz, upper_rate_mx, upper_rate_mx_2, minus_upper_rate_mz_2, &limbs);
+    NEXT_LIMB(0, joint_reactions, 3, stride, reactions, sine, cosine, signed_S_multiplier_fy,
+        signed_S_multiplier_fz, upper_rate_mx, upper_rate_mx_2, minus_upper_rate_mz_2, &limbs);
     checked2 = checked2 + ALONE(limbs.checked[0]);
     WRITE(reactions, 53, -limbs.signed_S_reaction_mz[2]);
     const REAL platform_rate_fx_2 = platform_rate_fx + platform_m_gravity_z * platform_turn_zx,
@@ -352,11 +382,14 @@ BODY(three_ups_upu_s_joint_reactions)(size_t stride, const double *restrict q, c
     const REAL t130 = t128 - platform_turn_yz * minus_platform_rate_fz_2,
       t141 = limbs.t13[2] + (limbs.t13[1] + (t136 - platform_turn_zz * minus_platform_rate_fz_2 - limbs.t13[0]));
     RESULT(checked0, reactions, 74, t141 - limbs.t13[3]);
-    RESULT(checked1, reactions, 73, limbs.signed_S_reaction_fy[1] + (t130 + limbs.t12[0]) - limbs.t12[2] - limbs.signed_S_reaction_fy[3]);
+    RESULT(checked1, reactions, 73, limbs.signed_S_reaction_fy[1] + (t130 + limbs.t12[0]) - limbs.t12[2] -
+        limbs.signed_S_reaction_fy[3]);
     const REAL t110 = limb1_U_0_sin * limb1_U2_joint_reaction_mz, /* limb1 */
       t107 = limb1_U_0_cos * limb1_U2_joint_reaction_mz; /* limb1 */
-    RESULT(checked2, reactions, 17, t110 + limbs.signed_lower_rotation_zx[0] * limb1_U2_joint_reaction_mx - limbs.signed_S_reaction_mz[0]);
-    RESULT(checked3, reactions, 16, limbs.S_reaction_mx[0] + (t107 - limbs.signed_lower_rotation_yx[0] * limb1_U2_joint_reaction_mx));
+    RESULT(checked2, reactions, 17, t110 + limbs.signed_lower_rotation_zx[0] * limb1_U2_joint_reaction_mx -
+        limbs.signed_S_reaction_mz[0]);
+    RESULT(checked3, reactions, 16, limbs.S_reaction_mx[0] + (t107 - limbs.signed_lower_rotation_yx[0] *
+        limb1_U2_joint_reaction_mx));
     RESULT(checked0, reactions, 15, limb1_lower_sin * limb1_U2_joint_reaction_mx + limbs.S_reaction_my[0]);
     WRITE(reactions, 75, CONSTANT(0.0));
     WRITE(reactions, 76, CONSTANT(0.0));
@@ -365,9 +398,13 @@ BODY(three_ups_upu_s_joint_reactions)(size_t stride, const double *restrict q, c
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
     FINITE_UNLESS4( /* status 1 where a pivot is smaller than its limit: */
-        SMALL4(limbs.signed_U_0_lever_mz_by_S_fz, 6.233100000000001e-10, 6.3211e-10, 6.4044e-10, 6.284e-10) OR /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
-        SMALL(platform_joint_force_mz_by_limb1_U2_mn, 4.0171000000000005e-10) OR /* where limb1_U2.mn cannot balance platform.moment_z */
-        SMALL(minus_determinant, 2.393867125597279e-10), /* where equations that are solved at once lose rank, as drives do at a singularity */
+        SMALL4(limbs.signed_U_0_lever_mz_by_S_fz, 6.233100000000001e-10, 6.3211e-10, 6.4044e-10, 6.284e-10) OR
+            /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the
+               reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
+        SMALL(platform_joint_force_mz_by_limb1_U2_mn, 4.0171000000000005e-10) OR
+            /* where limb1_U2.mn cannot balance platform.moment_z */
+        SMALL(minus_determinant, 2.393867125597279e-10),
+            /* where equations that are solved at once lose rank, as drives do at a singularity */
         (checked0 + checked1) + (checked2 + checked3), limbs.checked);
 }
 #endif

@@ -43,11 +43,13 @@ THREE_UPS_UPU_S_UNUSED static inline void three_ups_upu_s_zero(double *array, si
 }
 
 /* Of 4 angles the sines of the first ones, and the cosines; THREE_UPS_UPU_S_SCALAR takes both of each, one by one. */
-#if defined(__GNUC__) && defined(__GLIBC__) && defined(__x86_64__) && defined(__AVX2__) && !defined(THREE_UPS_UPU_S_SCALAR)
+#if defined(__GNUC__) && defined(__GLIBC__) && defined(__x86_64__) && defined(__AVX2__) && \
+    !defined(THREE_UPS_UPU_S_SCALAR)
 typedef double three_ups_upu_s_lanes __attribute__((vector_size(32)));
 three_ups_upu_s_lanes _ZGVdN4v_sin(three_ups_upu_s_lanes);
 three_ups_upu_s_lanes _ZGVdN4v_cos(three_ups_upu_s_lanes);
-THREE_UPS_UPU_S_UNUSED static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_sincos(int sines, int cosines, const double *angle, double *sine, double *cosine)
+THREE_UPS_UPU_S_UNUSED static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_sincos(int sines, int cosines,
+    const double *angle, double *sine, double *cosine)
 {
     if (sines < 2 && cosines < 2) {
         if (sines > 0) {
@@ -73,7 +75,8 @@ THREE_UPS_UPU_S_UNUSED static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s
     }
 }
 #else
-THREE_UPS_UPU_S_UNUSED static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_sincos(int sines, int cosines, const double *angle, double *sine, double *cosine)
+THREE_UPS_UPU_S_UNUSED static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_sincos(int sines, int cosines,
+    const double *angle, double *sine, double *cosine)
 {
     const int count = sines > cosines ? sines : cosines;
     for (int k = 0; k < count; ++k) {
@@ -122,38 +125,47 @@ int three_ups_upu_s_constrained(int n, int m, const double *mass, const double *
                              const double *bias, double *v, double *work, double *a, double *multipliers);
 void three_ups_upu_s_internal_load(int n, int m, const double *jacobian, int found, double *loads);
 
-/* Names of values: part, quantity, component: limb1_lower_omega_x. Components of screws: fx ... mz of
-   wrenches, wx ... vz of twists, px ... Lz of momenta. Quantities: omega, alpha; U = [alpha]x + [omega]x^2;
-   vel, acc of a link's origin; rate, of the momentum screw; force_x ... moment_z, what a link and all that
-   hangs on it need; sent, what it transmits; still: at joint accelerations zero; by: what a coefficient
-   belongs to; minus_: the opposite; t1, t2 ...: the theory has no name for it. Vectors of equal limbs:
-   limb_lower_omega_x; signed_: each lane up to its sign; each_limb1_: what corresponds to that of limb1 in
-   every limb; lanes_1 ...: no name. */
+/* Names of values: part, quantity, component: limb1_lower_omega_x. Components of screws: fx ... mz of wrenches, wx
+   ... vz of twists, px ... Lz of momenta. Quantities: omega, alpha; U = [alpha]x + [omega]x^2; vel, acc of a link's
+   origin; rate, of the momentum screw; force_x ... moment_z, what a link and all that hangs on it need; sent, what
+   it transmits; still: at joint accelerations zero; by: what a coefficient belongs to; minus_: the opposite; t1, t2
+   ...: the theory has no name for it. Vectors of equal limbs: limb_lower_omega_x; signed_: each lane up to its
+   sign; each_limb1_: what corresponds to that of limb1 in every limb; lanes_1 ...: no name. */
 /* Constants: numbers of the description, and what was folded of them. */
 THREE_UPS_UPU_S_UNUSED static const double
     gravity_z = 9.81, /* [m/s^2] acceleration of the effect of gravity: 981/100 */
     gravity_z_limb_lower_mx = 2.08953, /* [N m] gravity_z * limb_lower_mx */
     gravity_z_platform_mz = 14.62961126155784, /* [N m] gravity_z * platform_mz */
-    limb_U_0_phase = 1.5707963267948966, /* [rad] what is added to the coordinate of limb2_U.0, limb4_U.0: atan2(1, 0) */
-    limb_lower_Ixx = 0.8839, /* [kg m^2] inertia, absolute axes, of limb1_lower, limb1_upper, limb3_lower, limb3_upper, also Iyy of
-        limb2_lower: 8839/10000 */
-    limb_lower_Ixz = 0.478219227969767, /* [kg m^2] inertia, absolute axes, of limb1_lower, limb1_upper, limb3_lower, limb3_upper, also Izx of
-        limb1_lower: 2761*sqrt(3)/10000 */
-    limb_lower_Iyy = 1.14, /* [kg m^2] inertia, absolute axes, of limb1_lower, limb1_upper, limb3_lower, limb3_upper, also Ixx of
-        limb2_lower: 57/50 */
-    limb_lower_Izz = 0.3317, /* [kg m^2] inertia, absolute axes, of limb1_lower, limb1_upper, limb2_lower, limb2_upper ...: 3317/10000 */
-    limb_lower_com_x = 0.725, /* [m] centre of mass, absolute axes, of limb1_lower, limb3_lower, also com_y of limb2_lower: 29/40 */
-    limb_lower_com_z = 0.12990381056766578, /* [m] centre of mass, absolute axes, of limb1_lower, limb2_lower, limb3_lower, limb4_lower: 3*sqrt(3)/40 */
+    limb_U_0_phase = 1.5707963267948966, /* [rad] what is added to the coordinate of limb2_U.0, limb4_U.0:
+        atan2(1, 0) */
+    limb_lower_Ixx = 0.8839, /* [kg m^2] inertia, absolute axes, of limb1_lower, limb1_upper, limb3_lower,
+        limb3_upper, also Iyy of limb2_lower: 8839/10000 */
+    limb_lower_Ixz = 0.478219227969767, /* [kg m^2] inertia, absolute axes, of limb1_lower, limb1_upper,
+        limb3_lower, limb3_upper, also Izx of limb1_lower: 2761*sqrt(3)/10000 */
+    limb_lower_Iyy = 1.14, /* [kg m^2] inertia, absolute axes, of limb1_lower, limb1_upper, limb3_lower,
+        limb3_upper, also Ixx of limb2_lower: 57/50 */
+    limb_lower_Izz = 0.3317, /* [kg m^2] inertia, absolute axes, of limb1_lower, limb1_upper, limb2_lower,
+        limb2_upper ...: 3317/10000 */
+    limb_lower_com_x = 0.725, /* [m] centre of mass, absolute axes, of limb1_lower, limb3_lower, also com_y of
+        limb2_lower: 29/40 */
+    limb_lower_com_z = 0.12990381056766578, /* [m] centre of mass, absolute axes, of limb1_lower, limb2_lower,
+        limb3_lower, limb4_lower: 3*sqrt(3)/40 */
     limb_lower_m = 1.42, /* [kg] mass of limb1_lower, limb2_lower, limb3_lower, limb4_lower ...: 71/50 */
     limb_lower_m_gravity_z = 13.9302, /* [N] limb_lower_m * gravity_z */
-    limb_lower_mx = 0.213, /* [kg m] first moment, link axes, of limb1_lower, limb2_lower, limb3_lower, limb4_lower ...: limb_lower_m *
-        (param_R - limb_P_at_x) */
-    limb_lower_phase = 0.5235987755982989, /* [rad] what is added to the coordinate of limb1_lower, limb3_lower: atan2(0.5, sqrt(3)/2) */
-    limb_lower_phase_2 = 2.6179938779914944, /* [rad] what is added to the coordinate of limb2_lower, limb4_lower: atan2(0.5, -(sqrt(3)/2)) */
-    limb_upper_com_x = 0.575, /* [m] centre of mass, absolute axes, of limb1_upper, limb3_upper, also com_y of limb2_upper: 23/40 */
-    limb_upper_com_z = 0.3897114317029974, /* [m] centre of mass, absolute axes, of limb1_upper, limb2_upper, limb3_upper, limb4_upper: 9*sqrt(3)/40 */
-    limb_upper_phase = 0.3, /* [m] what is added to the coordinate of limb1_upper, limb2_upper, limb3_upper, limb4_upper: 3/10 */
-    param_H = 0.5196152422706631, /* [m] height of the platform's centre E above O, also com_z of platform: 3*sqrt(3)/10 */
+    limb_lower_mx = 0.213, /* [kg m] first moment, link axes, of limb1_lower, limb2_lower, limb3_lower,
+        limb4_lower ...: limb_lower_m * (param_R - limb_P_at_x) */
+    limb_lower_phase = 0.5235987755982989, /* [rad] what is added to the coordinate of limb1_lower, limb3_lower:
+        atan2(0.5, sqrt(3)/2) */
+    limb_lower_phase_2 = 2.6179938779914944, /* [rad] what is added to the coordinate of limb2_lower,
+        limb4_lower: atan2(0.5, -(sqrt(3)/2)) */
+    limb_upper_com_x = 0.575, /* [m] centre of mass, absolute axes, of limb1_upper, limb3_upper, also com_y of
+        limb2_upper: 23/40 */
+    limb_upper_com_z = 0.3897114317029974, /* [m] centre of mass, absolute axes, of limb1_upper, limb2_upper,
+        limb3_upper, limb4_upper: 9*sqrt(3)/40 */
+    limb_upper_phase = 0.3, /* [m] what is added to the coordinate of limb1_upper, limb2_upper, limb3_upper,
+        limb4_upper: 3/10 */
+    param_H = 0.5196152422706631, /* [m] height of the platform's centre E above O, also com_z of platform:
+        3*sqrt(3)/10 */
     param_R = 0.8, /* [m] radius of the base points A1..A4, also at_x of limb1_U: 4/5 */
     per_length = 1.5098282268426322, /* [1/m] 1 over the characteristic length */
     per_length_param_R = 1.2078625814741057, /* [1] per_length * param_R */
@@ -162,10 +174,10 @@ THREE_UPS_UPU_S_UNUSED static const double
     platform_m = 2.87, /* [kg] mass of platform: 287/100 */
     platform_m_gravity_z = 28.1547, /* [N] platform_m * gravity_z */
     platform_mz = 1.4912957453168034, /* [kg m] first moment, link axes, of platform: platform_m * param_H */
-    platform_sxx = 46.05, /* [kg m^2] second moment (sum of m r r), link axes, of platform, also syy of platform: (137.4 + platform_Izz) *
-        0.5 - platform_Ixx */
-    platform_szz = 23.4249, /* [kg m^2] second moment (sum of m r r), link axes, of platform: 229.5 * 0.5 - platform_Izz + platform_mz *
-        param_H */
+    platform_sxx = 46.05, /* [kg m^2] second moment (sum of m r r), link axes, of platform, also syy of platform:
+        (137.4 + platform_Izz) * 0.5 - platform_Ixx */
+    platform_szz = 23.4249, /* [kg m^2] second moment (sum of m r r), link axes, of platform: 229.5 * 0.5 -
+        platform_Izz + platform_mz * param_H */
     k1 = 0.8660254037844386, /* sqrt(3)/2 */
     k2 = 1.5, /* [1] 0.5 * 3; also [m] value_param_r * 3 */
     k3 = 0.1112, /* [kg m^2] 2 * limb_lower_szz + 2 * limb_lower_syy */
@@ -189,12 +201,10 @@ THREE_UPS_UPU_S_UNUSED static const double
 /* They are made of these, too, which no statement reads:
    limb_P_at_x = 0.65 [m] point, absolute axes, of limb1_P, limb3_P, also at_y of limb2_P: 13/20
    limb_lower_sxx = 1.15415 [kg m^2] second moment (sum of m r r), link axes, of limb1_lower, limb2_lower,
-       limb3_lower, limb4_lower ...: 2.3556 * 0.5 - (0.0139 + 0.0417) + limb_lower_mx * (param_R -
-       limb_P_at_x)
+       limb3_lower, limb4_lower ...: 2.3556 * 0.5 - (0.0139 + 0.0417) + limb_lower_mx * (param_R - limb_P_at_x)
    limb_lower_syy = 0.0178 [kg m^2] second moment (sum of m r r), link axes, of limb1_lower, limb2_lower,
-       limb3_lower, limb4_lower ...: (1.2156 + limb_lower_Iyy) * 0.5 - (1.0045894683899488 * (sqrt(3)/2) +
-       0.58 * 0.5); also [kg m^3] (1.2156 + limb_lower_Iyy) * value_param_r - (1.0045894683899488 *
-       (sqrt(3)/2) + 0.58 * value_param_r)
+       limb3_lower, limb4_lower ...: (1.2156 + limb_lower_Iyy) * 0.5 - (1.0045894683899488 * (sqrt(3)/2) + 0.58 *
+       0.5)
    limb_lower_szz = 0.0378 [kg m^2] second moment (sum of m r r), link axes, of limb1_lower, limb2_lower,
        limb3_lower, limb4_lower ...: (1.2156 + limb_lower_Iyy) * 0.5 - limb_lower_Iyy
    value_param_r = 0.5 [m] radius of the platform points C1..C4, also at_x of limb1_U2: 1/2 */
@@ -341,7 +351,8 @@ static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_sines9(const double *r
     three_ups_upu_s_sincos(0, 1, angle + 4, sine + 4, cosine + 4);
 }
 
-static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_angles10(size_t stride, size_t pitch, const double *restrict q,
+static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_angles10(size_t stride, size_t pitch, const double
+    *restrict q,
     double *restrict angle)
 {
     (void)stride;
@@ -361,7 +372,8 @@ static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_sines11(const double *
     three_ups_upu_s_sincos(2, 2, angle, sine, cosine);
 }
 
-static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_angles12(size_t stride, size_t pitch, const double *restrict q,
+static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_angles12(size_t stride, size_t pitch, const double
+    *restrict q,
     double *restrict angle)
 {
     (void)stride;
@@ -470,12 +482,15 @@ static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_sines13(const double *
 #define NUMBER4 three_ups_upu_s_vector4
 #define OF4(a, b, c, d) (three_ups_upu_s_vector4){a, b, c, d}
 #define IN_EACH4(read, array, first, step) \
-    (three_ups_upu_s_vector4){read(array, first), read(array, (first) + (step)), read(array, (first) + 2 * (step)), read(array, (first) + 3 * (step))}
-#define WRITE4(array, a, b, c, d, x) { const three_ups_upu_s_vector4 out_ = (x); WRITE(array, a, out_[0]); WRITE(array, b, out_[1]); WRITE(array, c, out_[2]); WRITE(array, d, out_[3]); }
+    (three_ups_upu_s_vector4){read(array, first), read(array, (first) + (step)), read(array, (first) + 2 * (step)), \
+        read(array, (first) + 3 * (step))}
+#define WRITE4(array, a, b, c, d, x) { const three_ups_upu_s_vector4 out_ = (x); WRITE(array, a, out_[0]); \
+    WRITE(array, b, out_[1]); WRITE(array, c, out_[2]); WRITE(array, d, out_[3]); }
 #define SQRT4(x) three_ups_upu_s_vector4_sqrt(x)
 #define SMALL4(x, a, b, c, d) (((x) <= OF4(a, b, c, d)) & ((x) >= -OF4(a, b, c, d)))
 #define FINITE_UNLESS4(small, sum, each) \
-    (void)stride, (void)total; return (sum) + three_ups_upu_s_vector4_sum((three_ups_upu_s_vector4)((three_ups_upu_s_vector4_mask)(each) | (small)))
+    (void)stride, (void)total; return (sum) + \
+        three_ups_upu_s_vector4_sum((three_ups_upu_s_vector4)((three_ups_upu_s_vector4_mask)(each) | (small)))
 #define FINITE4(sum, each) (void)stride, (void)total; return (sum) + three_ups_upu_s_vector4_sum(each)
 #endif
 #if !defined(THREE_UPS_UPU_S_VECTORS)

@@ -10,9 +10,8 @@
  * Note: 2 more drives than freedoms: the drives of smallest sum of squares; inverse_dynamics_preload
  *   takes weights and an internal preload
  *
- * Arrays are column-major, owned by the caller, and must not overlap; arrays of size 0 may be NULL. Nothing is
- * allocated and no state is kept: functions may run in several threads at once. On failure all outputs are NaN. Do not
- * compile with -ffinite-math-only or -ffast-math: the checks for NaN would vanish.
+ * On failure all outputs are NaN. Do not compile with -ffinite-math-only or -ffast-math: the checks for NaN would
+ * vanish.
  *
  * A batch writes the status of each of `count` states to `status` unless that is NULL, and returns the largest, 0 if
  * all are below. <function>_batch takes the arrays of the states one after the other; <function>_batch_soa has entry k
@@ -44,18 +43,26 @@
  * drives: u > 0 lengthens a driven slider and turns a driven revolute joint positively. The force of a slider acts
  *   along its axis, on the line through the joint's point, on the child; its reaction on the parent.
  * reactions: Wrenches (f ; m_O) from parent on child, without the drive's share, which is u.
+ * memory: Arrays are the caller's and must not overlap; in C those of size 0 may be NULL. Nothing is allocated.
+ * threads: No state is kept: functions may run in several threads at once.
  */
 
 /* What functions return; the text of a status says it in words. */
-#define THREE_UPS_UPU_S_PHYSICAL_RANK_LOST -2 /* success where the loops lose rank: by the rank-revealing path, with the freedoms that open there */
-#define THREE_UPS_UPU_S_PHYSICAL_RANK_REVEALING -1 /* success near a small pivot: by the rank-revealing path, at full rank */
+#define THREE_UPS_UPU_S_PHYSICAL_RANK_LOST -2 \
+    /* success where the loops lose rank: by the rank-revealing path, with the freedoms that open there */
+#define THREE_UPS_UPU_S_PHYSICAL_RANK_REVEALING -1 \
+    /* success near a small pivot: by the rank-revealing path, at full rank */
 #define THREE_UPS_UPU_S_PHYSICAL_SUCCESS 0 /* success */
-#define THREE_UPS_UPU_S_PHYSICAL_NEAR_SINGULAR 1 /* near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN */
-#define THREE_UPS_UPU_S_PHYSICAL_NOT_FINITE 2 /* not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN */
-#define THREE_UPS_UPU_S_PHYSICAL_NOT_CONVERGED 3 /* not converged: the loops could not be closed from this guess; all outputs are NaN */
-#define THREE_UPS_UPU_S_PHYSICAL_OTHER_BRANCH 4 /* other branch: the loops close only on another assembly branch than the guess; all outputs are NaN */
-#define THREE_UPS_UPU_S_PHYSICAL_NO_ROTATION 5 /* no rotation: the length of a quaternion differs from 1 by more than rounding; all outputs are NaN */
-#define THREE_UPS_UPU_S_PHYSICAL_NOT_ON_MECHANISM 6 /* not on the mechanism: its loops do not close where, or as, the inputs say; all outputs are NaN */
+#define THREE_UPS_UPU_S_PHYSICAL_NEAR_SINGULAR 1 \
+    /* near-singular: a pivot of the elimination fell below its threshold */
+#define THREE_UPS_UPU_S_PHYSICAL_NOT_FINITE 2 /* not finite: an input was NaN or infinite, or an output overflowed */
+#define THREE_UPS_UPU_S_PHYSICAL_NOT_CONVERGED 3 /* not converged: the loops could not be closed from this guess */
+#define THREE_UPS_UPU_S_PHYSICAL_OTHER_BRANCH 4 \
+    /* other branch: the loops close only on another assembly branch than the guess */
+#define THREE_UPS_UPU_S_PHYSICAL_NO_ROTATION 5 \
+    /* no rotation: the length of a quaternion differs from 1 by more than rounding */
+#define THREE_UPS_UPU_S_PHYSICAL_NOT_ON_MECHANISM 6 \
+    /* not on the mechanism: its loops do not close where, or as, the inputs say */
 
 /* Entries of arrays that several functions have. */
 /* q[16] [8 in rad, 4 in m, 4 of unit 1]: configuration of the tree */
@@ -439,7 +446,8 @@ int three_ups_upu_s_physical_joint_reactions_batch_soa(size_t count, size_t stri
 
 /* three_ups_upu_s_physical_forward_dynamics: Accelerations of the tree from a consistent state and the drives.
  *   out a[15]: accelerations of the tree (rates of v)
- *   Returns -2, -1, 0, 1, 2, 5; operations where no pivot is small: 820 (add 306, mul 474, div 7, trig 16, compare 17) */
+ *   Returns -2, -1, 0, 1, 2, 5; operations where no pivot is small: 820 (add 306, mul 474, div 7, trig 16, compare
+ * 17) */
 int three_ups_upu_s_physical_forward_dynamics(const double *q, const double *v, const double *u, double *a);
 int three_ups_upu_s_physical_forward_dynamics_batch(size_t count, const double *q, const double *v, const double *u,
     double *a, int *status);

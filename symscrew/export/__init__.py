@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from symscrew.export.hash_file import HASHES, FileHash, file_hash, print_hashes, read_hashes
     from symscrew.export.javascript import print_javascript, print_script
     from symscrew.export.jax import print_jax
+    from symscrew.export.line_width import within_width
     from symscrew.export.linuxcnc import print_linuxcnc
     from symscrew.export.listing import banner, decimal, live_instructions, model_hash, packed, plain, wrapped
     from symscrew.export.manifest_file import (
@@ -121,6 +122,7 @@ __all__ = [
     "rounded",
     "single_errors",
     "tool_name",
+    "within_width",
     "wrapped",
 ]
 

@@ -28,6 +28,7 @@ from symscrew.export.c_pieces import (
     straight_line,
 )
 from symscrew.export.c_precision import DOUBLE, TABLE, Precision
+from symscrew.export.line_width import within_width
 from symscrew.export.listing import banner, check_names
 from symscrew.model import Model
 
@@ -55,9 +56,11 @@ def print_c(
         pieces = Pieces(
             model, precision, batches=batches, lanes=lanes and batches, processes=processes, meanwhile=header
         )
-        return {f"{model.name}.h": header(), **print_sources(pieces)}
-    source = print_source(model, precision=precision, batches=batches, lanes=lanes and batches)
-    return {f"{model.name}.h": header(), f"{model.name}.c": source}
+        files = {f"{model.name}.h": header(), **print_sources(pieces)}
+    else:
+        source = print_source(model, precision=precision, batches=batches, lanes=lanes and batches)
+        files = {f"{model.name}.h": header(), f"{model.name}.c": source}
+    return {file: within_width(file, text) for file, text in files.items()}
 
 
 def print_source(model: Model, *, precision: Precision = DOUBLE, batches: bool = True, lanes: bool = True) -> str:

@@ -14,7 +14,7 @@ from symscrew.export import c_lanes, c_unread
 from symscrew.export.c_angles import calls
 from symscrew.export.c_hub import Hub, hub_of
 from symscrew.export.c_limbs import LIMBS, LimbText
-from symscrew.export.c_names import arguments, declare, grouped, wrapped_code
+from symscrew.export.c_names import arguments, c_lines, declare, grouped, wrapped_code
 from symscrew.export.c_printed import Form, Printed, place
 from symscrew.export.folding import folded
 from symscrew.export.listing import balanced_sum, checked_slots, expressions, plain
@@ -55,7 +55,7 @@ def _body(printed: Printed, limbs: LimbText | None) -> list[str]:
     head = declare(f"BODY({printed.symbol})", [*given, f"{real} *restrict total"], "")
     inner = _Body(printed, limbs)
     own = [f"    LIMBS({limbs.function}) {LIMBS};"] if limbs and limbs.hands_on else []
-    lines = [*unread(printed), *own, *(f"    {line}" for line in grouped(inner.lines()))]
+    lines = [*unread(printed), *own, *c_lines(grouped(inner.lines()))]
     return [*(limbs.head() if limbs else []), head, "{", *lines, "}"]
 
 
@@ -308,7 +308,7 @@ def packed_lane(printed: Printed, packing: Packing) -> list[str]:
     At a small pivot this sum is NaN, and pivots are not given: the lane of limb after limb finds out what is wrong.
     """
     told = grouped(c_lanes.statements(printed, packing))
-    lines = [line for text in told for line in ([f"    {text}"] if "/*" in text else wrapped_code(text))]
+    lines = c_lines(told)
     head = f"{inlined(printed)} {printed.precision.real} "
     lines = _lane(printed, f"{printed.symbol}_packed_lane", head, lines, pivots=False)
     return [f"#if {c_lanes.condition(printed.model, packing.width, printed.precision)}", *lines, "#endif"]

@@ -10,13 +10,11 @@ from symscrew.export import c_batch
 from symscrew.export.c_names import arguments, declare
 from symscrew.export.c_parameters import parameter_type
 from symscrew.export.c_precision import DOUBLE, Precision
-from symscrew.export.c_rank_revealing import entries_on_stack
 from symscrew.export.c_single import error_lines, single_errors
-from symscrew.export.c_wide import LANES
-from symscrew.export.conventions import conventions
+from symscrew.export.conventions import conventions, stack
 from symscrew.export.listing import MAX_LABELS, banner, operations_text, packed, plain, statuses, unit_of, wrapped
 from symscrew.model import Model
-from symscrew.program import OUT_OF_REACH, Iteration, Port, Program, RankRevealing, status_texts
+from symscrew.program import OUT_OF_REACH, Iteration, Port, Program, status_texts
 
 STATUS_MACROS = {
     -2: "RANK_LOST",
@@ -37,13 +35,13 @@ def status_macros(model: Model) -> dict[int, str]:
     return {**STATUS_MACROS, **{code: f"OUT_OF_REACH_{k}" for k, code in enumerate(further, 1)}}
 
 
+NOTHING = "; all outputs are NaN"  # of a status: the header says so of all that are failures
 ENUMERATED = 64  # entries of an array that get names: longer arrays are read in loops, and their order is described
 WIDTH = 116  # characters of a line of a comment
 FEW = 5  # parts of a list that is written out wherever it is needed
 LONGEST = 119  # of a declaration without its semicolon
-ABOUT_ARRAYS = """Arrays are column-major, owned by the caller, and must not overlap; arrays of size 0 may be NULL.
-Nothing is allocated and no state is kept: functions may run in several threads at once. On failure all outputs are
-NaN. Do not compile with -ffinite-math-only or -ffast-math: the checks for NaN would vanish."""
+ABOUT_ARRAYS = """On failure all outputs are NaN. Do not compile with -ffinite-math-only or -ffast-math: the checks
+for NaN would vanish."""
 ABOUT_BATCHES = """A batch writes the status of each of `count` states to `status` unless that is NULL, and returns
 the largest, 0 if all are below. <function>_batch takes the arrays of the states one after the other;
 <function>_batch_soa has entry k of state i at [k * stride + i], stride >= count. Both take eight states at once on
@@ -78,7 +76,10 @@ def print_header(model: Model, *, precision: Precision = DOUBLE, batches: bool =
         *comment([line for text in told for line in wrapped(text, later="  ", width=WIDTH)]),
         "",
         "/* What functions return; the text of a status says it in words. */",
-        *(f"#define {upper}_{macro} {code} /* {plain(texts[code])} */" for code, macro in status_macros(model).items()),
+        *(
+            f"#define {upper}_{macro} {code} /* {plain(texts[code].replace(NOTHING, ''))} */"
+            for code, macro in status_macros(model).items()
+        ),
         "",
         *_entries(model),
         *_told_once(model),
@@ -111,13 +112,11 @@ def comment(lines: Iterable[str]) -> list[str]:
 
 def _stack(model: Model, precision: Precision, *, batches: bool) -> str:
     """What calls take of the stack at most."""
-    told, programs = [ABOUT_STACK], model.programs.values()
-    second = max((entries_on_stack(f) for f in programs if isinstance(f, RankRevealing)), default=0)
-    if second:
-        told.append(ABOUT_SECOND_PATHS % (second * precision.size))
+    told, bytes_of = [ABOUT_STACK], stack(model, precision, batches=batches)
+    if bytes_of["second_path"]:
+        told.append(ABOUT_SECOND_PATHS % bytes_of["second_path"])
     if batches:
-        room = max((sum(p.size for p in (*f.inputs, *f.outputs)) for f in programs), default=0)
-        told.append(ABOUT_BLOCKS % (LANES * room * precision.size, model.name.upper()))
+        told.append(ABOUT_BLOCKS % (bytes_of["blocks"], model.name.upper()))
     return f"{'; '.join(told)}."
 
 

@@ -17,7 +17,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from symscrew.export.c_names import TAKEN, arguments, declare, grouped
+from symscrew.export.c_names import TAKEN, arguments, c_lines, declare, grouped
 from symscrew.export.c_order import short_lived
 from symscrew.export.c_printed import Printed
 from symscrew.export.folding import ATOM, BINDING, PRODUCT, SUM, folded
@@ -367,7 +367,7 @@ class _Stage:
         if self.text.checked:
             self.lines.append(("OWN(checked) = checked;", None))
         told = grouped([*self.constants, *headed(self.lines, heads, lambda slot: "")])
-        self.text.lines = ["    (void)limb, (void)stride;", *(f"    {line}" for line in told)]
+        self.text.lines = ["    (void)limb, (void)stride;", *c_lines(told)]
 
     def _known(self, row: LimbRow, text: str, loose: bool) -> None:
         """A value goes to its places, and into the sum of what must be finite."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from symscrew.export.c_precision import Precision
-from symscrew.export.listing import wrapped
+from symscrew.export.listing import code_lines, wrapped
 from symscrew.program import Iteration, Port, Program
 
 # what an argument must not be called: names of math.h and the like, and of local variables of the printed functions
@@ -83,6 +83,11 @@ def grouped(statements: Iterable[str]) -> list[str]:
     if before:
         found[-1] += f";{said}"
     return found
+
+
+def c_lines(statements: Iterable[str]) -> list[str]:
+    """Statements of a body, the long ones over several lines, with what is said of them behind the last one."""
+    return [line for text in statements for line in code_lines(text, comment="/*", first="    ")]
 
 
 def wrapped_code(statement: str, indent: str = "    ") -> list[str]:

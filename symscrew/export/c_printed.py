@@ -12,13 +12,13 @@ from functools import cached_property
 from itertools import groupby
 
 from symscrew.export.c_angles import Angles, gather
-from symscrew.export.c_constants import Constants
 from symscrew.export.c_names import TAKEN, argument_names
 from symscrew.export.c_order import short_lived, within
 from symscrew.export.c_precision import Precision
+from symscrew.export.constants import Constants, Writing
 from symscrew.export.listing import checked_slots, input_entries, live_instructions
 from symscrew.export.stages import Stages
-from symscrew.export.value_names import value_names
+from symscrew.export.value_names import LEGEND, value_names
 from symscrew.model import Model
 from symscrew.program import (
     Corresponding,
@@ -73,7 +73,10 @@ class Shared:
     def __init__(self, model: Model, precision: Precision) -> None:
         """None yet."""
         self.model, self.symbols = model.name, dict[str, str]()
-        self.constants = Constants(model, precision)
+        opening = f"{model.name.upper()}_UNUSED static const {precision.real}"
+        constant = "    {name} = {number}{end} "
+        writing = Writing(precision.number, constant, ("/* ", "   ", " */"), opening, legend=LEGEND)
+        self.constants = Constants(model, writing)
 
     def symbol(self, stem: str, text: str) -> str:
         """The symbol of a function with this text."""

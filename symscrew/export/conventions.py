@@ -7,7 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from symscrew.export.c_precision import Precision
+from symscrew.export.c_rank_revealing import entries_on_stack
+from symscrew.export.c_wide import LANES
 from symscrew.model import Model
+from symscrew.program import RankRevealing
 
 CONVENTIONS: Mapping[str, str] = {
     "units": "SI; angles in rad, not wrapped.",
@@ -21,8 +25,21 @@ CONVENTIONS: Mapping[str, str] = {
     "drives": "u > 0 lengthens a driven slider and turns a driven revolute joint positively. The force of a slider "
     "acts along its axis, on the line through the joint's point, on the child; its reaction on the parent.",
     "reactions": "Wrenches (f ; m_O) from parent on child, without the drive's share, which is u.",
+    "memory": "Arrays are the caller's and must not overlap; in C those of size 0 may be NULL. Nothing is allocated.",
+    "threads": "No state is kept: functions may run in several threads at once.",
 }
 """Subject to what holds, in the order in which it is told."""
+
+
+def stack(model: Model, precision: Precision, *, batches: bool) -> dict[str, int]:
+    """Bytes of the largest arrays that calls of the C have on the stack, beside the temporaries of every call.
+
+    `second_path`: near a small pivot; `blocks`: of eight states, in functions of many.
+    """
+    programs = model.programs.values()
+    second = max((entries_on_stack(f) for f in programs if isinstance(f, RankRevealing)), default=0)
+    room = max((sum(p.size for p in (*f.inputs, *f.outputs)) for f in programs), default=0) if batches else 0
+    return {"second_path": second * precision.size, "blocks": LANES * room * precision.size}
 
 
 def conventions(model: Model) -> dict[str, str]:

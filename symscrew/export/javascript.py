@@ -10,12 +10,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
+from symscrew.export.constants import Constants, Writing
 from symscrew.export.folding import statements
 from symscrew.export.listing import (
     balanced_sum,
     banner,
     check_names,
     checked_slots,
+    code_lines,
     decimal,
     first_path,
     function_lines,
@@ -23,6 +25,7 @@ from symscrew.export.listing import (
     live_instructions,
     wrapped,
 )
+from symscrew.export.pivots import SMALL, pivots_told
 from symscrew.export.stages import Stages, headed
 from symscrew.export.value_names import value_names
 from symscrew.model import Model
@@ -46,6 +49,7 @@ TABLE = {
     "select": "({0} !== 0.0 ? {1} : {2})",
 }
 
+WRITING = Writing(decimal, "  {name} = {number}{end} ", ("/* ", "   ", " */"), "const")
 WORDS = "arguments debugger eval function implements in instanceof interface let module null package super undefined"
 OBJECTS = "Array Float64Array Infinity Math NaN Number Object TypeError exports isFinite require"
 RESERVED = frozenset(f"{WORDS} {OBJECTS} var with document globalThis self top window".split())
@@ -143,11 +147,17 @@ def print_script(model: Model, constant: str, functions: Iterable[str] | None = 
     check_names(model)
     chosen = list(model.programs) if functions is None else [n for n in model.programs if n in set(functions)]
     lines = ["/*", *(f" * {line}".rstrip() for line in banner(model)), " */", '"use strict";']
-    lines += [f"const {constant} = (() => {{", *RUNTIME.replace("REFUSED", str(NO_ROTATION)).strip("\n").splitlines()]
-    for name in chosen:
-        program = first_path(model.programs[name], "the JavaScript")
-        body = _iteration(name, program) if isinstance(program, Iteration) else _function(name, program)
-        lines += ["", *(f"  {line}".rstrip() for line in [*_comment(function_lines(name, program)), *body])]
+    programs = {name: first_path(model.programs[name], "the JavaScript") for name in chosen}
+    constants = Constants(model, WRITING, programs.values())
+    printed: list[str] = []
+    for name, program in programs.items():
+        if isinstance(program, Iteration):
+            body = _iteration(name, program, constants)
+        else:
+            body = _function(name, program, constants)
+        printed += ["", *(f"  {line}".rstrip() for line in [*_comment(function_lines(name, program)), *body])]
+    lines += [f"const {constant} = (() => {{", *(f"  {line}" for line in constants.lines()), ""]
+    lines += [*RUNTIME.replace("REFUSED", str(NO_ROTATION)).strip("\n").splitlines(), *printed]
     lines += ["", *wrapped(f"return {{ {', '.join(chosen)} }};", first="  ", later="    "), "})();"]
     lines += ['if (typeof module !== "undefined") {', f"  module.exports = {constant};", "}"]
     return "\n".join([*lines, ""])
@@ -161,12 +171,12 @@ def _sizes(program: Program | Iteration) -> str:
     return "{ " + "".join(f"{port.name}: {port.size}, " for port in program.inputs).rstrip(", ") + " }"
 
 
-def _function(name: str, program: Program) -> list[str]:
+def _function(name: str, program: Program, constants: Constants) -> list[str]:
     """The definition of a straight-line function: load, compute, check."""
-    called = value_names(program, ())
+    called = value_names(program, constants.names.values())
 
     def operand(value: int | float) -> str:
-        return called[value] if isinstance(value, int) else decimal(value)
+        return called[value] if isinstance(value, int) else constants.text(value)
 
     live, read = live_instructions(program)
     body = ((f"const {called[k]} = {text};", k) for k, text in statements(program, live, TABLE, operand))
@@ -176,24 +186,29 @@ def _function(name: str, program: Program) -> list[str]:
         for slot, (port, k) in enumerate(input_entries(program))
         if slot in read
     ]
-    pivots = ", ".join(f"Math.abs({operand(slot)}) / {decimal(threshold)}" for slot, threshold in program.guards)
-    small = " || ".join(f"Math.abs({operand(slot)}) <= {decimal(threshold)}" for slot, threshold in program.guards)
+    pivots = [
+        line
+        for slot, limit, told in pivots_told(program)
+        for line in code_lines(f"  Math.abs({operand(slot)}) / {decimal(limit)}, // {told}", comment="//", later="  ")
+    ]
+    small = " || ".join(f"Math.abs({operand(slot)}) <= {decimal(limit)}" for slot, limit in program.guards)
     limits = [
         f"limited({operand(slot)}, {_bound(low, '-')}, {_bound(high)}, {c})" for slot, low, high, c in program.limits
     ]
     status = " || ".join([*limits, f"({small} ? 1 : 0)" if limits and small else f"{small} ? 1 : 0" if small else "0"])
     total = balanced_sum([operand(slot) for slot in checked_slots(program)] or ["0.0"])
     outputs = [
-        f"    {port.name}: Float64Array.of({', '.join(operand(slot) for slot in slots)}),"
+        line
         for port, slots in zip(program.outputs, program.results, strict=True)
+        for line in code_lines(f"    {port.name}: Float64Array.of({', '.join(map(operand, slots))}),")
     ]
     return [
         f"function {name}(...given) {{",
         f'  check("{name}", {_sizes(program)}, given);',
         *loads,
-        *(f"  {line}" for line in headed(body, Stages(program), operand, "// {}")),
-        f"  const guard = {f'Math.min({pivots})' if pivots else 'Infinity'};",
-        f"  return finish({status}, {total}, {{",
+        *_lines(headed(body, Stages(program), operand, "// {}")),
+        *_lines([f"const guard = Math.min( // {SMALL}", *pivots, ");"] if pivots else ["const guard = Infinity;"]),
+        *_lines([f"const status = {status};", f"const total = {total};", "return finish(status, total, {"]),
         *outputs,
         "    guard,",
         "  });",
@@ -201,20 +216,25 @@ def _function(name: str, program: Program) -> list[str]:
     ]
 
 
+def _lines(statements: Iterable[str]) -> list[str]:
+    """Statements of a function, the long ones over several lines."""
+    return [line for text in statements for line in code_lines(text, comment="//", first="  ")]
+
+
 def _bound(value: float | None, sign: str = "") -> str:
     return f"{sign}Infinity" if value is None else decimal(value)
 
 
-def _iteration(name: str, iteration: Iteration) -> list[str]:
+def _iteration(name: str, iteration: Iteration, constants: Constants) -> list[str]:
     settings = (
         f"{{ tolerance: {decimal(iteration.tolerance)}, max_steps: {iteration.max_steps}, "
         f"max_substeps: {iteration.max_substeps}, independent: [{', '.join(map(str, iteration.independent))}] }}"
     )
     return [
-        *_function(f"{name}_step", iteration.step),
+        *_function(f"{name}_step", iteration.step, constants),
         "",
         f"function {name}(...given) {{",
         f'  check("{name}", {_sizes(iteration)}, given);',
-        f"  return iterate({name}_step, {settings}, ...given);",
+        *_lines([f"return iterate({name}_step, {settings}, ...given);"]),
         "}",
     ]

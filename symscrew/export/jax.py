@@ -12,11 +12,13 @@ import ast
 from collections.abc import Sequence
 from pathlib import Path
 
+from symscrew.export.constants import Constants
 from symscrew.export.folding import statements
 from symscrew.export.listing import (
     banner,
     check_names,
     checked_slots,
+    code_lines,
     decimal,
     first_path,
     function_lines,
@@ -25,6 +27,7 @@ from symscrew.export.listing import (
     wrapped,
 )
 from symscrew.export.numpy import TABLE as NUMPY
+from symscrew.export.python_text import python_lines, python_writing
 from symscrew.export.stages import Stages, headed
 from symscrew.export.value_names import value_names
 from symscrew.model import Model
@@ -49,13 +52,15 @@ def print_jax(model: Model) -> dict[str, str]:
     texts = [_part(name) for name in PARTS]
     imports = sorted({line for found, _ in texts for line in found}, key=_import_order)
     lines += [*imports, *(line for _, body in texts for line in ["", *body])]
+    constants = Constants(model, python_writing(set[str]().union(*(_names(body) for _, body in texts))))
+    functions: list[str] = []
     for name, program in model.programs.items():
         straight = first_path(program, "the JAX module")
-        lines += [
-            "",
-            "",
-            *(_iteration(name, straight) if isinstance(straight, Iteration) else _function(name, straight)),
-        ]
+        if isinstance(straight, Iteration):
+            functions += ["", "", *_iteration(name, straight, constants)]
+        else:
+            functions += ["", "", *_function(name, straight, constants)]
+    lines += ["", "", *constants.lines(), *functions]
     return {f"{model.name}_jax.py": "\n".join([*lines, ""])}
 
 
@@ -68,14 +73,21 @@ def _part(name: str) -> tuple[list[str], list[str]]:
     return [" ".join(map(str.strip, statement)) for statement in found], lines[nodes[-1].end_lineno or 0 :]
 
 
+def _names(lines: Sequence[str]) -> set[str]:
+    """What a part of the module defines."""
+    nodes = ast.parse("\n".join(lines)).body
+    named = {name.id for n in nodes for name in ast.walk(n) if isinstance(name, ast.Name) and not n.col_offset}
+    return named | {n.name for n in nodes if isinstance(n, ast.FunctionDef | ast.ClassDef)}
+
+
 def _import_order(line: str) -> tuple[int, str]:
     group = 0 if "__future__" in line else 2 if "jax" in line or "numpy" in line else 1
     return group, line
 
 
-def _function(name: str, program: Program) -> list[str]:
+def _function(name: str, program: Program, constants: Constants) -> list[str]:
     return [
-        *_listing(name, program),
+        *_listing(name, program, constants),
         "",
         "",
         f"{name} = straight(",
@@ -86,7 +98,7 @@ def _function(name: str, program: Program) -> list[str]:
     ]
 
 
-def _iteration(name: str, iteration: Iteration) -> list[str]:
+def _iteration(name: str, iteration: Iteration, constants: Constants) -> list[str]:
     step = f"{name}_step"
     settings = {
         "independent": _several(list(map(str, iteration.independent))),
@@ -96,7 +108,7 @@ def _iteration(name: str, iteration: Iteration) -> list[str]:
         "refused": NO_ROTATION,
     }
     return [
-        *_listing(step, iteration.step),
+        *_listing(step, iteration.step, constants),
         "",
         "",
         f"{name} = iterated(",
@@ -108,12 +120,12 @@ def _iteration(name: str, iteration: Iteration) -> list[str]:
     ]
 
 
-def _listing(name: str, program: Program) -> list[str]:
+def _listing(name: str, program: Program, constants: Constants) -> list[str]:
     """The function that is called once, to be recorded: results, then what is tested."""
-    called = value_names(program, ("op", "entries"))
+    called = value_names(program, ("op", "entries", *constants.names.values()))
 
     def operand(value: int | float) -> str:
-        return called[value] if isinstance(value, int) else decimal(value)
+        return called[value] if isinstance(value, int) else constants.text(value)
 
     given = [operand(k) for k in range(len(input_entries(program)))]
     found = statements(program, live_instructions(program)[0], TABLE, operand)
@@ -129,7 +141,7 @@ def _listing(name: str, program: Program) -> list[str]:
             if given
             else []
         ),
-        *(f"    {line}" for line in body),
+        *python_lines(body, " " * 4),
         *wrapped(f"return ({returned},)", first=" " * 4, later=" " * 8),
     ]
 
@@ -141,7 +153,7 @@ def _step(name: str, program: Program) -> list[str]:
     limits = _several([f"({_bound(low)}, {_bound(high)}, {code})" for _, low, high, code in program.limits])
     parts = [f"inputs={{{sizes[0]}}}", f"outputs={{{sizes[1]}}}"]
     parts += [f"{key}={text}" for key, text in (("guards", guards), ("limits", limits)) if text != "()"]
-    return [f"    Step(_{name}, {', '.join(parts)}),"]
+    return code_lines(f"Step(_{name}, {', '.join(parts)}),", first="    ")
 
 
 def _several(terms: Sequence[str]) -> str:

@@ -160,6 +160,33 @@ def wrapped(text: str, *, first: str = "", later: str = "", width: int = 100) ->
     return wrapper.wrap(text) or [first.rstrip()]
 
 
+LINE = 116  # characters of a line of code
+
+
+def code_lines(text: str, *, comment: str = "", first: str = "", later: str = "    ") -> list[str]:
+    """A line of code as several, broken at blanks; what is said behind it, from ` comment` on, stays in one piece.
+
+    >>> code_lines(f"x = {'a + ' * 30}b; // limb1", comment="//")[-1]
+    '    + a + a + b; // limb1'
+    """
+    if len(first) + len(text) <= LINE:
+        return [first + text]
+    code, mark, said = text.rpartition(f" {comment}") if comment else (text, "", "")
+    if not mark:
+        code, said = text, ""
+    body = code.lstrip(" ")
+    space = " " * (len(code) - len(body))
+    wrapper = textwrap.TextWrapper(
+        LINE, first + space, first + space + later, break_long_words=False, break_on_hyphens=False
+    )
+    lines = wrapper.wrap(body)
+    if not mark:
+        return lines
+    if len(lines[-1]) + len(mark) + len(said) <= LINE:
+        return [*lines[:-1], lines[-1] + mark + said]
+    return [*lines, f"{first}{space}{later}{mark[1:]}{said}"]
+
+
 def filled(text: str, words: Mapping[str, str]) -> list[str]:
     """The lines of a text of the target, some of its words replaced, all at once: nothing looks into what they become.
 

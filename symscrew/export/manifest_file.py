@@ -16,7 +16,8 @@ from symscrew.description import characteristic_length
 from symscrew.effects import Effect, effect_from_table, effect_to_table
 from symscrew.errors import DescriptionError
 from symscrew.export.c_form import USUAL_FORM, Form
-from symscrew.export.conventions import conventions
+from symscrew.export.c_precision import PRECISIONS
+from symscrew.export.conventions import conventions, stack
 from symscrew.export.listing import model_hash, statuses
 from symscrew.model import Model
 from symscrew.program import Iteration, Port, Program
@@ -47,6 +48,7 @@ def manifest(
         "characteristic_length": _characteristic_length(model),
         "notes": list(model.notes),
         "conventions": conventions(model),
+        "stack": stack(model, PRECISIONS[precision], batches=form.batches),
         **({"precision": precision} if precision != "double" else {}),
         **({"one_file": True} if form.one_file else {}),
         **({} if form.batches else {"batches": False}),

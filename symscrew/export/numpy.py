@@ -10,8 +10,10 @@ from __future__ import annotations
 import inspect
 from collections.abc import Sequence
 
+from symscrew.export.constants import Constants
 from symscrew.export.folding import statements
 from symscrew.export.listing import (
+    LINE,
     banner,
     check_names,
     checked_slots,
@@ -21,6 +23,8 @@ from symscrew.export.listing import (
     live_instructions,
     wrapped,
 )
+from symscrew.export.pivots import SMALL, pivots_told
+from symscrew.export.python_text import BEHIND, python_lines, python_writing
 from symscrew.export.stages import Stages, headed
 from symscrew.export.value_names import value_names
 from symscrew.model import Model
@@ -130,6 +134,7 @@ def _iterate_batch(arguments, *settings):
 '''
 
 
+TAKEN = ("second_path",)  # names of the module that could be one of a constant
 SECOND_PATH = '''\
 def _rank_revealing(first, dense, wrenches, arguments, *settings):
     """Results of `first`; where it fails by a small pivot, those of the second path."""
@@ -147,6 +152,8 @@ def _rank_revealing(first, dense, wrenches, arguments, *settings):
 def print_numpy(model: Model) -> dict[str, str]:
     """File name to text: `<name>_numpy.py`."""
     check_names(model)
+    constants = Constants(model, python_writing(TAKEN))
+    functions = [line for name, program in model.programs.items() for line in _printed(name, program, constants)]
     lines = ['"""' + banner(model)[0], "", *banner(model)[1:], ""]
     lines += wrapped(
         "Each function takes arrays (*batch, size) and returns (outputs, status): a tuple of arrays "
@@ -160,18 +167,21 @@ def print_numpy(model: Model) -> dict[str, str]:
         "",
         "import numpy as np",
         "",
+        *constants.lines(),
+        "",
         *RUNTIME.replace("REFUSED", str(NO_ROTATION)).splitlines(),
     ]
     if any(isinstance(program, RankRevealing) for program in model.programs.values()):
         lines += ["", "", *SECOND_PATH.splitlines(), "", "", *_second_path_alone()]
-    for name, program in model.programs.items():
-        if isinstance(program, Iteration):
-            lines += ["", "", *_iteration(name, program)]
-        elif isinstance(program, RankRevealing):
-            lines += ["", "", *_with_second_path(name, program)]
-        else:
-            lines += ["", "", *_function(name, function_lines(name, program), program)]
-    return {f"{model.name}_numpy.py": "\n".join([*lines, ""])}
+    return {f"{model.name}_numpy.py": "\n".join([*lines, *functions, ""])}
+
+
+def _printed(name: str, program: Program | Iteration, constants: Constants) -> list[str]:
+    if isinstance(program, Iteration):
+        return ["", "", *_iteration(name, program, constants)]
+    if isinstance(program, RankRevealing):
+        return ["", "", *_with_second_path(name, program, constants)]
+    return ["", "", *_function(name, function_lines(name, program), program, constants)]
 
 
 def _second_path_alone() -> list[str]:
@@ -179,11 +189,11 @@ def _second_path_alone() -> list[str]:
     return [line for line in inspect.getsource(second_path).splitlines() if line != "    *,"]
 
 
-def _function(name: str, about: Sequence[str], program: Program) -> list[str]:
-    called = value_names(program, ())
+def _function(name: str, about: Sequence[str], program: Program, constants: Constants) -> list[str]:
+    called = value_names(program, constants.names.values())
 
     def operand(value: int | float) -> str:
-        return called[value] if isinstance(value, int) else decimal(value)
+        return called[value] if isinstance(value, int) else constants.text(value)
 
     def several(terms: Sequence[str]) -> str:
         return "(" + ", ".join(terms) + ("," if len(terms) == 1 else "") + ")"
@@ -191,7 +201,12 @@ def _function(name: str, about: Sequence[str], program: Program) -> list[str]:
     sizes = ", ".join(f'"{port.name}": {port.size}' for port in program.inputs)
     given = [operand(k) for k in range(len(input_entries(program)))]
     unpacked = wrapped(", ".join(given) + ",", first=" " * 8, later=" " * 8)
-    guards = several([f"({operand(slot)}, {decimal(threshold)})" for slot, threshold in program.guards])
+    pivots = [
+        line
+        for slot, limit, told in pivots_told(program)
+        for line in _behind(f"    ({operand(slot)}, {decimal(limit)}),", told)
+    ]
+    guards = [f"guards = ({BEHIND}{SMALL}", *pivots, ")"] if pivots else ["guards = ()"]
     checked = several([operand(slot) for slot in checked_slots(program)])
     tested = [(operand(slot), _bound(low), _bound(high), code) for slot, low, high, code in program.limits]
     limits = f", {several([f'({slot}, {low}, {high}, {code})' for slot, low, high, code in tested])}" if tested else ""
@@ -201,41 +216,47 @@ def _function(name: str, about: Sequence[str], program: Program) -> list[str]:
     return [
         f"def {name}(*arguments):",
         *_docstring(about),
-        f'    entries, batch = _entries("{name}", {{{sizes}}}, arguments)',
+        *wrapped(f'entries, batch = _entries("{name}", {{{sizes}}}, arguments)', first=" " * 4, later=" " * 8),
         *(["    (", *unpacked, "    ) = entries"] if given else []),
         '    with np.errstate(all="ignore"):',
-        *(f"        {line}" for line in body),
+        *python_lines(body, " " * 8),
+        *(f"        {line}" for line in guards),
         *wrapped(
-            f"return _finish(batch, {several(outputs)}, {guards}, {checked}{limits})", first=" " * 8, later=" " * 12
+            f"return _finish(batch, {several(outputs)}, guards, {checked}{limits})", first=" " * 8, later=" " * 12
         ),
     ]
+
+
+def _behind(code: str, told: str) -> list[str]:
+    """A line, and what is said of it: behind it, or on further lines."""
+    return wrapped(told, first=f"{code}{BEHIND}", later=f"    {BEHIND.strip()} ", width=LINE - 8)
 
 
 def _bound(value: float | None) -> str:
     return "None" if value is None else decimal(value)
 
 
-def _with_second_path(name: str, program: RankRevealing) -> list[str]:
+def _with_second_path(name: str, program: RankRevealing, constants: Constants) -> list[str]:
     """The first path, what the second one solves, and the function that chooses between them."""
     assert program.dense is not None
     parts = [("first", program), ("dense", program.dense), ("wrenches", program.wrenches)]
     lines = []
     for part, found in parts:
         if found is not None:
-            lines += [*_function(f"_{name}_{part}", [f"The {part} path of {name}."], found), "", ""]
-    scales = ", ".join(f"({', '.join(decimal(x) for x in values)},)" for values in (program.rates, program.rows))
+            lines += [*_function(f"_{name}_{part}", [f"The {part} path of {name}."], found, constants), "", ""]
+    scales = ", ".join(f"({', '.join(map(constants.text, values))},)" for values in (program.rates, program.rows))
     called = [f"_{name}_{part}" if found is not None else "None" for part, found in parts]
     return [
         *lines,
         f"def {name}(*arguments):",
         *_docstring(function_lines(name, program)),
-        f"    settings = ({scales}, {program.regular}, {decimal(RANK)})",
-        f"    return _rank_revealing({', '.join(called)}, arguments, *settings)",
+        *wrapped(f"settings = ({scales}, {program.regular}, {decimal(RANK)})", first=" " * 4, later=" " * 8),
+        *wrapped(f"return _rank_revealing({', '.join(called)}, arguments, *settings)", first=" " * 4, later=" " * 8),
     ]
 
 
-def _iteration(name: str, iteration: Iteration) -> list[str]:
-    step = _function(f"_{name}_step", ["One step of the iteration and its measures."], iteration.step)
+def _iteration(name: str, iteration: Iteration, constants: Constants) -> list[str]:
+    step = _function(f"_{name}_step", ["One step of the iteration and its measures."], iteration.step, constants)
     independent = "[" + ", ".join(str(k) for k in iteration.independent) + "]"
     limits = f"{decimal(iteration.tolerance)}, {iteration.max_steps}, {iteration.max_substeps}"
     return [

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 from symscrew.algebra import Origin
+from symscrew.export.listing import plain
+from symscrew.program import Program
 
 # quantity -> where it vanishes; {part} is a body, joint or motion with its component, {by} what the pivot belongs to
 VANISHES: Mapping[str, str] = {
@@ -37,6 +39,9 @@ WITHOUT: Mapping[str, str] = {
 }
 
 
+SMALL = "status 1 where a pivot is smaller than its limit:"  # what stands over all pivots of a function
+
+
 def pivot_text(origin: Origin | None) -> str:
     """Where a pivot vanishes, in words."""
     if origin is None:
@@ -47,3 +52,9 @@ def pivot_text(origin: Origin | None) -> str:
     table = WITH_PART if origin.part else WITHOUT
     text = table.get(origin.quantity) or VANISHES.get(origin.quantity, f"where {origin.quantity} {{part}} vanishes")
     return text.format(part=place, by=origin.by or "nothing", component=origin.component)
+
+
+def pivots_told(program: Program) -> Iterator[tuple[int, float, str]]:
+    """Of every pivot its slot, its limit, and where it vanishes, in words for a comment."""
+    for slot, limit in program.guards:
+        yield slot, limit, plain(pivot_text(program.origins.get(slot)))

@@ -72,7 +72,8 @@ find_package(kinematics_interface REQUIRED)
 find_package(pluginlib REQUIRED)
 find_package(transmission_interface REQUIRED)
 
-add_library(@PACKAGE@ SHARED @FILE@_transmission.cpp @FILE@_kinematics_plugin.cpp @FILE@_drives_host.c)
+add_library(@PACKAGE@ SHARED
+  @FILE@_transmission.cpp @FILE@_kinematics_plugin.cpp @FILE@_drives_host.c)
 set_target_properties(@PACKAGE@ PROPERTIES C_STANDARD 99 CXX_STANDARD 17)
 target_include_directories(@PACKAGE@ PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
 ament_target_dependencies(@PACKAGE@ hardware_interface kinematics_interface pluginlib transmission_interface)

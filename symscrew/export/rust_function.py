@@ -6,8 +6,18 @@ from collections.abc import Iterator, Sequence
 from importlib import resources
 
 from symscrew.export.c_precision import Precision
+from symscrew.export.constants import Constants, Writing
 from symscrew.export.folding import statements
-from symscrew.export.listing import balanced_sum, checked_slots, filled, input_entries, live_instructions, wrapped
+from symscrew.export.listing import (
+    balanced_sum,
+    checked_slots,
+    code_lines,
+    filled,
+    input_entries,
+    live_instructions,
+    wrapped,
+)
+from symscrew.export.pivots import pivots_told
 from symscrew.export.rust_names import RESERVED, arguments, real, safe
 from symscrew.export.stages import Stages, headed
 from symscrew.export.value_names import value_names
@@ -59,7 +69,8 @@ fn limited(value: Real, low: Real, high: Real, code: i32) -> i32 {
 def arrays_module(model: Model, precision: Precision) -> list[str]:
     """The private module with all functions on arrays."""
     kind = real(precision)
-    lines = filled(SHARED, {"REAL": kind, "BITS": f"u{kind[1:]}"})
+    constants = Constants(model, _writing(precision))
+    lines: list[str] = []
     seconds = [p for p in model.programs.values() if isinstance(p, RankRevealing)]
     if seconds:
         bounds = {"RANK": RANK, "LEAST": 1e-30, "EQUAL": 1e-15, "LOST": 1e-14}
@@ -69,13 +80,24 @@ def arrays_module(model: Model, precision: Precision) -> list[str]:
     known: dict[object, str] = {}
     for name, program in model.programs.items():
         if isinstance(program, Iteration):
-            lines += ["", *_iteration(safe(name), program, precision)]
+            lines += ["", *_iteration(safe(name), program, precision, constants)]
         elif isinstance(program, RankRevealing):
-            lines += _with_second_path(safe(name), program, precision, known)
+            lines += _with_second_path(safe(name), program, constants, precision=precision, known=known)
         else:
-            lines += ["", *_Function(safe(name), program, precision).lines()]
-    allowed = "#[allow(dead_code, non_snake_case, unused_parens, unused_variables)]"
-    return [allowed, "mod arrays {", "    use super::Math;", "", *(f"    {x}".rstrip() for x in lines), "}"]
+            lines += ["", *_Function(safe(name), program, precision, constants).lines()]
+    allowed = "#[allow(dead_code, non_snake_case, non_upper_case_globals, unused_parens, unused_variables)]"
+    shared = filled(SHARED, {"REAL": kind, "BITS": f"u{kind[1:]}"})
+    lines = ["use super::Math;", "", *shared, "", *constants.lines(), *lines]
+    return [allowed, "mod arrays {", *(f"    {x}".rstrip() for x in lines), "}"]
+
+
+def _writing(precision: Precision) -> Writing:
+    """How constants are written: with the names that the C has, which no other constants of Rust have."""
+
+    def decimal(value: float) -> str:
+        return number(precision.number(value))
+
+    return Writing(decimal, "const {name}: Real = {number}; ", ("// ", "// ", ""), taken=RESERVED)
 
 
 def number(text: str) -> str:
@@ -98,14 +120,17 @@ def _outputs(program: Program | Iteration) -> list[str]:
 class _Function:
     """A straight-line function; `second` is its way out of small pivots."""
 
-    def __init__(self, name: str, program: Program, precision: Precision, second: str = "") -> None:
+    def __init__(
+        self, name: str, program: Program, precision: Precision, constants: Constants, *, second: str = ""
+    ) -> None:
         self.name, self.program, self.precision, self.second = name, program, precision, second
-        taken = {*RESERVED, *arguments(program.inputs), *_outputs(program)}
+        self.constants = constants
+        taken = {*RESERVED, *arguments(program.inputs), *_outputs(program), *constants.names.values()}
         self.called = value_names(program, taken)
 
     def operand(self, value: int | float) -> str:
         """A slot by its name, or a number."""
-        return self.called[value] if isinstance(value, int) else number(self.precision.number(value))
+        return self.called[value] if isinstance(value, int) else self.constants.text(value)
 
     def lines(self) -> list[str]:
         """Load, compute, check, store."""
@@ -137,7 +162,8 @@ class _Function:
             *stores,
             "0",
         ]
-        return [*_signature(self.name, program), *(f"    {line}" for line in inner), "}"]
+        lines = [line for text in inner for line in code_lines(text, comment="//", first="    ")]
+        return [*_signature(self.name, program), *lines, "}"]
 
     def _code(self) -> Iterator[str]:
         """The status: limits, pivots, and whether everything is finite."""
@@ -151,7 +177,8 @@ class _Function:
             yield "if code == 0 {"
             yield f"    code = limited({self.operand(slot)}, {', '.join(bounds)}, {status});"
             yield "}"
-        for slot, limit in program.guards:
+        for slot, limit, told in pivots_told(program):
+            yield f"// {told}"
             yield f"if code == 0 && size({self.operand(slot)}) <= {number(threshold(limit))} {{"
             yield "    code = 1;"
             yield "}"
@@ -162,7 +189,9 @@ class _Function:
         yield "}"
 
 
-def _with_second_path(name: str, program: RankRevealing, precision: Precision, known: dict[object, str]) -> list[str]:
+def _with_second_path(
+    name: str, program: RankRevealing, constants: Constants, *, precision: Precision, known: dict[object, str]
+) -> list[str]:
     """The function, the programs of its second path, and that path; `known`: dense programs that are there already."""
     assert program.dense is not None
     dense = program.dense
@@ -170,12 +199,12 @@ def _with_second_path(name: str, program: RankRevealing, precision: Precision, k
     lines = []
     if key not in known:
         known[key] = f"{name}_dense"
-        lines += ["", *_Function(known[key], dense, precision).lines()]
+        lines += ["", *_Function(known[key], dense, precision, constants).lines()]
     if program.wrenches is not None:
-        lines += ["", *_Function(f"{name}_wrenches", program.wrenches, precision).lines()]
+        lines += ["", *_Function(f"{name}_wrenches", program.wrenches, precision, constants).lines()]
     call = f"{name}_rank_revealing::<M>({', '.join([*arguments(program.inputs), *_outputs(program)])})"
     lines += ["", *_second_path(name, program, precision, known[key])]
-    return [*lines, "", *_Function(name, program, precision, call).lines()]
+    return [*lines, "", *_Function(name, program, precision, constants, second=call).lines()]
 
 
 def _second_path(name: str, program: RankRevealing, precision: Precision, dense: str) -> list[str]:
@@ -283,7 +312,7 @@ def _internal_loads(name: str, program: RankRevealing, precision: Precision) -> 
     ]
 
 
-def _iteration(name: str, iteration: Iteration, precision: Precision) -> list[str]:
+def _iteration(name: str, iteration: Iteration, precision: Precision, constants: Constants) -> list[str]:
     """A step, and Newton's iteration in more and more parts of the way from the guess, as in C."""
     n, m = iteration.outputs[0].size, iteration.inputs[0].size
     y, guess, *more = arguments(iteration.inputs)
@@ -338,5 +367,5 @@ def _iteration(name: str, iteration: Iteration, precision: Precision) -> list[st
         "}",
         "code",
     ]
-    lines = _Function(f"{name}_step", iteration.step, precision).lines()
+    lines = _Function(f"{name}_step", iteration.step, precision, constants).lines()
     return [*lines, "", *_signature(name, iteration), *(f"    {line}" for line in inner), "}"]

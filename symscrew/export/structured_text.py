@@ -10,20 +10,23 @@ command; `valid` is FALSE then. The rank-revealing path behind small pivots is n
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 
+from symscrew.export.constants import Constants, Writing
 from symscrew.export.folding import statements
 from symscrew.export.listing import (
     balanced_sum,
     banner,
     check_names,
     checked_slots,
+    code_lines,
     decimal,
     function_lines,
     input_entries,
     live_instructions,
     wrapped,
 )
+from symscrew.export.pivots import pivots_told
 from symscrew.export.stages import Stages, headed
 from symscrew.export.value_names import value_names
 from symscrew.model import Model
@@ -86,6 +89,7 @@ END_FUNCTION"""
 def print_structured_text(model: Model) -> dict[str, str]:
     """File name to text: `<name>.st`."""
     check_names(model)
+    constants = Constants(model, WRITING)
     lines = _comment([*banner(model), "Numbers are LREAL, arrays start at 0; see the block's comment for units."])
     lines += ["", *_types(model)]
     if any(i.op == "atan2" for p in model.programs.values() for i in _straight(p).instructions):
@@ -93,9 +97,9 @@ def print_structured_text(model: Model) -> dict[str, str]:
     for name, program in model.programs.items():
         lines += ["", *_comment(function_lines(f"{model.name}_{name}", _first_path(program)))]
         if isinstance(program, Iteration):
-            lines += _iteration(model.name, name, program)
+            lines += _iteration(model.name, name, program, constants)
         else:
-            lines += _Block(model.name, name, program).lines()
+            lines += _Block(model.name, name, program, constants).lines()
     return {f"{model.name}.st": "\n".join([*lines, ""])}
 
 
@@ -117,8 +121,23 @@ def _first_path(program: Program | Iteration) -> Program | Iteration:
 
 def _comment(lines: Iterable[str]) -> list[str]:
     """Lines as a comment; nothing in them ends it."""
-    texts = [line.replace("(*", "( *").replace("*)", "* )").rstrip() for line in lines]
+    texts = [_said(line).rstrip() for line in lines]
     return ["(*", *(f"  {text}".rstrip() for text in texts), "*)"]
+
+
+def _said(text: str) -> str:
+    """A text as it may stand in a comment: nothing in it begins or ends one."""
+    return text.replace("(*", "( *").replace("*)", "* )")
+
+
+def _number(value: float) -> str:
+    return decimal(value).replace("e", "E")
+
+
+# Each block has the constants that it reads, since constants of a whole project are declared outside of blocks.
+WRITING = Writing(
+    _number, "  {name} : LREAL := {number}; ", ("(* ", "   ", " *)"), taken=RESERVED, alike=str.lower, said=_said
+)
 
 
 def safe(name: str) -> str:
@@ -149,11 +168,11 @@ def block_ports(program: Program | Iteration) -> tuple[list[str], list[str]]:
     return given, port_names(program.outputs, given)
 
 
-def _called(program: Program, taken: Iterable[str]) -> Mapping[int, str]:
+def _called(program: Program, taken: Collection[str]) -> Mapping[int, str]:
     """Slots by names that differ in more than case."""
     used = {name.lower() for name in taken} | RESERVED
     found = {}
-    for slot, text in value_names(program, ()).items():
+    for slot, text in value_names(program, taken).items():
         name = re.sub(r"_{2,}", "_", text).strip("_")
         number = 2
         while name.lower() in used:
@@ -189,15 +208,19 @@ def _declared(model: str, name: str, program: Program | Iteration) -> tuple[list
 class _Block:
     """The function block of a straight-line program."""
 
-    def __init__(self, model: str, name: str, program: Program) -> None:
-        self.symbol, self.program = f"{model}_{name}", program
+    def __init__(self, model: str, name: str, program: Program, constants: Constants) -> None:
+        self.symbol, self.program, self.constants = f"{model}_{name}", program, constants
+        self.read: set[float] = set()  # constants
         self.table = {op: text.replace("MODEL", model) for op, text in TABLE.items()}
         self.head, self.given, self.made = _declared(model, name, program)
-        self.called = _called(program, (*self.given, *self.made, self.symbol))
+        self.called = _called(program, (*self.given, *self.made, self.symbol, *constants.names.values()))
 
     def operand(self, value: int | float) -> str:
         """A slot by its name, or a number."""
-        return self.called[value] if isinstance(value, int) else decimal(value).replace("e", "E")
+        if isinstance(value, int):
+            return self.called[value]
+        self.read.add(abs(value))
+        return self.constants.text(value)
 
     def lines(self) -> list[str]:
         """Declarations, then: load, compute, check, store."""
@@ -222,27 +245,35 @@ class _Block:
             "VAR",
             *(f"  {name} : LREAL;" for name in (*local, "total")),
             "END_VAR",
-            *(line for _, load in loads for line in wrapped(load, later="  ")),
-            *(line for text in body for line in wrapped(text, later="  ")),
+            *self._constants(),
+            *(line for _, load in loads for line in code_lines(load, later="  ")),
+            *(line for text in body for line in code_lines(text, comment="(*", later="  ")),
             *self._status(),
             "valid := status = 0;",
             *(["IF valid THEN", *stores, "END_IF;"] if stores else []),
             "END_FUNCTION_BLOCK",
         ]
 
+    def _constants(self) -> list[str]:
+        """The block of what it reads."""
+        found = self.constants.block(self.read)
+        indented = (f"  {line}" if line.startswith("(*") else line for line in found)
+        return ["VAR CONSTANT", *indented, "END_VAR"] if found else []
+
     def _status(self) -> Iterator[str]:
         """Limits, then pivots, then whether all is finite, as in the other targets."""
         yield "status := 0;"
         for slot, low, high, code in self.program.limits:
             value = self.operand(slot)
-            bounds = [f"{value} >= {self.operand(low)}"] if low is not None else []
-            bounds += [f"{value} <= {self.operand(high)}"] if high is not None else []
+            bounds = [f"{value} >= {_number(low)}"] if low is not None else []
+            bounds += [f"{value} <= {_number(high)}"] if high is not None else []
             yield f"IF status = 0 AND NOT ({' AND '.join(bounds)}) THEN"
             yield f"  IF ABS({value}) <= {LARGEST} THEN"
             yield f"    status := {code};"
             yield from ("  ELSE", "    status := 2;", "  END_IF;", "END_IF;")
-        for slot, threshold in self.program.guards:
-            yield f"IF status = 0 AND ABS({self.operand(slot)}) <= {self.operand(threshold)} THEN"
+        for slot, limit, told in pivots_told(self.program):
+            yield f"(* {_said(told)} *)"
+            yield from code_lines(f"IF status = 0 AND ABS({self.operand(slot)}) <= {_number(limit)} THEN")
             yield from ("  status := 1;", "END_IF;")
         total = balanced_sum([self.operand(slot) for slot in checked_slots(self.program)] or ["0.0"])
         yield from wrapped(f"total := {total};", later="  ")
@@ -250,9 +281,9 @@ class _Block:
         yield from ("  status := 2;", "END_IF;")
 
 
-def _iteration(model: str, name: str, iteration: Iteration) -> list[str]:
+def _iteration(model: str, name: str, iteration: Iteration, constants: Constants) -> list[str]:
     """A block of one step, and Newton's iteration in more and more parts of the way from the guess."""
-    step = _Block(model, f"{name}_step", iteration.step)
+    step = _Block(model, f"{name}_step", iteration.step, constants)
     head, given, (q,) = _declared(model, name, iteration)
     n, m = iteration.outputs[0].size, iteration.inputs[0].size
     y, guess, *more = given
@@ -276,7 +307,7 @@ def _iteration(model: str, name: str, iteration: Iteration) -> list[str]:
     if refused:
         lines += [f"  IF one_step.status >= {NO_ROTATION} THEN", "    status := one_step.status;", "  END_IF;"]
     limit = f" AND status < {NO_ROTATION}" if refused else ""
-    tolerance = decimal(iteration.tolerance).replace("e", "E")
+    tolerance = _number(iteration.tolerance)
     body = [  # WHILE, with a count: FOR from 1 to 1 is none in matiec
         "substeps := 1;",
         f"WHILE substeps <= {iteration.max_substeps} AND status <> 0{limit} DO",

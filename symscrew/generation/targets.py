@@ -44,8 +44,10 @@ class Target:
 
     def files(self, order: Order) -> Mapping[str, str | bytes]:
         """File name to content."""
+        from symscrew.export import within_width
+
         made: Mapping[str, str | bytes] = import_module(self.module).files(order)
-        return made
+        return {file: within_width(file, data) if isinstance(data, str) else data for file, data in made.items()}
 
     def section(self, order: Order) -> Sequence[str]:
         """Lines at the end of README.md; none where its file has no `section`."""

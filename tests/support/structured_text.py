@@ -74,9 +74,9 @@ def block(node: Any, types: dict[str, int]) -> list[str]:
     fields, statements = [], []
     for part in parts:
         if part.type in ("var_input", "var_output", "var_block"):
-            for declared in part.named_children:
-                field, kind = declared.named_children
-                start = {"lreal": "0.0", "int": "0", "bool": "False"}.get(word(kind))
+            for declared in (child for child in part.named_children if child.type == "variable_declaration"):
+                field, kind, *initial = declared.named_children
+                start = word(initial[0]) if initial else {"lreal": "0.0", "int": "0", "bool": "False"}.get(word(kind))
                 if word(kind) in types:
                     start = f"[0.0] * {types[word(kind)]}"
                 fields.append(f"        self.{word(field)} = {start or f'{word(kind)}()'}")

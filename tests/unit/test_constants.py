@@ -6,17 +6,23 @@ import itertools
 import re
 from collections.abc import Mapping
 from functools import cache
+from typing import Any
 
 import numpy as np
 import pytest
 from support import handmade
 from support.model_states import model
 
-from symscrew.description import parse
+from symscrew.description import MechanismBuilder, parse
+from symscrew.export import print_javascript, print_jax, print_numpy, print_rust, print_structured_text
 from symscrew.export.c import print_source
-from symscrew.export.c_constants import SILENT, Constants, common
 from symscrew.export.c_names import TAKEN
 from symscrew.export.c_precision import DOUBLE
+from symscrew.export.c_printed import Shared
+from symscrew.export.constant_formulas import SILENT
+from symscrew.export.constants import common
+from symscrew.export.structured_text import RESERVED
+from symscrew.model import Model, derive
 
 LINE = re.compile(r"^    (\w+) = ([\d.e+-]+)[,;] /\* (.*?) \*/$", re.M | re.S)
 
@@ -106,7 +112,7 @@ def test_every_name_in_a_formula_has_a_line(name: str) -> None:
 def test_two_numbers_of_one_name_have_a_line_each() -> None:
     """As a length and its negative may, which formulas mention and no statement reads."""
     four_bar = model("four_bar")
-    constants = Constants(four_bar, DOUBLE)
+    constants = Shared(four_bar, DOUBLE).constants
     size, other = list(constants.names)[:2]
     constants.text(other)  # a statement reads it
     node = constants._nodes[size]
@@ -161,3 +167,78 @@ def test_names_of_parts_that_differ_in_digits_become_one() -> None:
 def test_without_a_mechanism_numbers_stay_numbers() -> None:
     source = print_source(handmade.model())
     assert "/* Constants:" not in source and "1.0e-05" in source
+
+
+def in_another_language(text: str) -> dict[str, float]:
+    """Names and numbers of blocks of constants, and of what these are made of, in whatever language."""
+    found = {}
+    for part in text.split("Constants: numbers of the description")[1:]:
+        block = re.split(r"\n\s*(?:\n|END_VAR)", part)[0]
+        for name, number in re.findall(r"(\w+)(?: ?: \w+)? :?= (\d[\d.eE+-]*)", block):
+            found[name] = float(number)
+    return found
+
+
+PRINTERS = {
+    "numpy": print_numpy, "jax": print_jax, "javascript": print_javascript, "rust": print_rust,
+    "structured text": print_structured_text,
+}  # fmt: skip
+
+
+@cache
+def in_target(target: str) -> str:
+    return max(PRINTERS[target](model("four_bar")).values(), key=len)
+
+
+@pytest.mark.parametrize("target", PRINTERS)
+def test_every_target_calls_constants_as_the_c_does(target: str) -> None:
+    wanted = {name: number for name, (number, _) in block(printed("four_bar")).items()}
+    found = in_another_language(in_target(target))
+    assert len(found) > 20 and found == {name: wanted[name] for name in found}
+
+
+@pytest.mark.parametrize("target", PRINTERS)
+def test_no_target_has_numbers_that_say_nothing(target: str) -> None:
+    """In a statement that computes something: limits of pivots, tolerances and the block itself are others."""
+    text = in_target(target)
+    names = set(in_another_language(text))
+    lines = [line for line in text.splitlines() if re.match(r" *(let |const )?\w+ :?= .*[-+*/(]", line)]
+    lines = [re.sub(r"(//|#|\(\*).*", "", line) for line in lines if not {*re.findall(r"\w+", line)[:1]} & names]
+    read = [line for line in lines if "settings" not in line and set(re.findall(r"\w+", line)) & names]
+    numbers = {float(n) for line in read for n in re.findall(r"(?<![\w.])\d+\.\d+(?:[eE][+-]?\d+)?", line)}
+    assert len(read) > 50 and numbers <= SILENT
+
+
+CLASHES = ("inverse_dynamics", "second_path", "internal_load", "row_scale", "linear_part", "date_and_time")
+
+
+@cache
+def hostile() -> Model:
+    """Sliders whose masses are called like what functions, runtimes and languages have."""
+    building = MechanismBuilder("clashes")
+    for k, name in enumerate(CLASHES):
+        building.parameter(name, f"{k + 8}/7", unit="kg", description="a mass")
+        building.body(f"link_{k}", mass=name, com=(0, 0, 0), inertia=("1/11", "1/11", "1/11"))
+        place = {"parent": "base", "child": f"link_{k}", "point": (0, 0, 0), "axes": [(0, 0, 1)]}
+        building.joint(f"slide_{k}", "P", **place, driven=True)
+    return derive(building.build()).only(["inverse_dynamics"])
+
+
+@pytest.mark.parametrize("target", PRINTERS)
+def test_no_constant_takes_a_name_from_a_function_or_the_language(target: str) -> None:
+    text = max(PRINTERS[target](hostile()).values(), key=len)
+    names = in_another_language(text)
+    assert all(any(number == pytest.approx((k + 8) / 7) for number in names.values()) for k in range(len(CLASHES)))
+    for name in names:
+        assert not re.search(rf"\b(def|fn|function|let|let mut|class) {name}\b", text), name
+        assert target != "structured text" or name.lower() not in RESERVED
+
+
+def test_a_module_whose_functions_and_constants_would_have_one_name_works() -> None:
+    found = hostile()
+    module: dict[str, Any] = {"__name__": "clashes"}
+    exec(compile(print_numpy(found)["clashes_numpy.py"], "clashes", "exec"), module)  # our own text
+    wanted, status = found("inverse_dynamics", *found.test_inputs["inverse_dynamics"])
+    made, reached = module["inverse_dynamics"](*found.test_inputs["inverse_dynamics"])
+    np.testing.assert_array_equal(reached, status)
+    np.testing.assert_allclose(made[0], wanted[0], rtol=1e-12)

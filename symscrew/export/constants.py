@@ -1,6 +1,6 @@
-"""Folded constants of generated C: each once, with a name, its unit, and what it is made of.
+"""Folded constants of generated code: each once, with a name, its unit, and what it is made of.
 
-    0.213  -->  static const double limb_upper_mx = 0.213; /* [kg m] first moment of limb1_upper, ..: 71/50 * 3/20 */
+    0.213  -->  limb_upper_mx = 0.213  # [kg m] first moment of limb1_upper, ...: limb_lower_m * (param_R - limb_P_at_x)
 
 The tape knows how it folded a constant; the system knows which constants are masses, moments, offsets and angles of
 the description. What is a number of neither is printed as it is. Numbers that say nothing, 1, 2 and 1/2, stay numbers.
@@ -9,7 +9,7 @@ the description. What is a number of neither is printed as it is. Numbers that s
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, fields, is_dataclass
 from typing import Any
@@ -18,7 +18,6 @@ from symscrew.algebra import Node, Origin
 from symscrew.description import exact
 from symscrew.errors import DescriptionError
 from symscrew.export.c_names import TAKEN
-from symscrew.export.c_precision import Precision
 from symscrew.export.constant_formulas import SILENT, Formulas, Unit, unit_of, unit_text
 from symscrew.export.listing import plain, wrapped
 from symscrew.export.value_names import LEGEND, identifier
@@ -27,7 +26,7 @@ from symscrew.program import Iteration, Program, RankRevealing
 
 AXES = "xyz"
 LONGEST = 24  # characters of a name that is put together from factors
-WIDTH = 110  # characters of what is said of a constant, in a line
+WIDTH = 116  # characters of a line of the block
 LIBRARY = re.compile(r"^[A-Z_0-9]+$|_[trl]$")  # names as C's own headers have them: M_PI, size_t, lgamma_r
 ANY = re.compile(r"k\d+")
 UNITS_OF_FIELDS = {"acceleration": "m/s^2"}  # what an effect calls so has this unit whatever else it is
@@ -44,12 +43,49 @@ class Meaning:
     words: str
 
 
+@dataclass(frozen=True)
+class Writing:
+    """How a language writes numbers, comments and the block of constants.
+
+    Attributes:
+        number: the text of a number, a negative one in parentheses.
+        constant: the format of a constant: name, number, and what ends it, a comma or of the last one a semicolon.
+        comment: what begins a comment, what begins its further lines, what ends it.
+        opening: what stands in front of all constants, "" where nothing does.
+        legend: what is told of the names of values.
+        taken: names that the language, or code around the functions, has for something else.
+        alike: two names are one to the language where this is the same of them.
+        said: a text as it may stand in a comment.
+    """
+
+    number: Callable[[float], str]
+    constant: str
+    comment: tuple[str, str, str]
+    opening: str = ""
+    legend: Sequence[str] = LEGEND[:1]
+    taken: Collection[str] = ()
+    alike: Callable[[str], str] = str
+    said: Callable[[str], str] = str
+
+    def commented(self, texts: Sequence[str], hanging: str = "") -> list[str]:
+        """A comment, each text from a line of its own on; their further lines begin with `hanging`."""
+        first, later, end = self.comment
+        lines: list[str] = []
+        for text in texts:
+            begin = later if lines else first
+            lines += wrapped(self.said(text), first=begin, later=later + hanging, width=WIDTH)
+        return [*lines[:-1], f"{lines[-1]}{end}"]
+
+
 class Constants:
     """The constants of a model's functions by name; those that are asked for are printed."""
 
-    def __init__(self, model: Model, precision: Precision) -> None:
-        """Names for all of them, in the order of the functions: local variables keep away from these."""
-        self.model, self.precision = model, precision
+    def __init__(self, model: Model, writing: Writing, programs: Iterable[Program | Iteration] | None = None) -> None:
+        """Names for all of them, in the order of the functions: local variables keep away from these.
+
+        `programs`: those that are printed, if not all.
+        """
+        self.model, self.writing = model, writing
         self.names: dict[float, str] = {}
         self.used: set[float] = set()
         self._nodes: dict[float, Node] = {}
@@ -60,13 +96,14 @@ class Constants:
         system = getattr(model, "system", None)
         if system is None:
             return
-        programs = _straight(model.programs.values())
+        programs = _straight(model.programs.values() if programs is None else programs)
         with system.tape.lock:  # another thread may be lowering what it wants to print
             self._explain(system)
         for node in (node for program in programs for node in program.folded):
             self._nodes.setdefault(float(node.value), node)
         ports = (p for f in model.programs.values() for p in (*f.inputs, *f.outputs))
-        self._taken = {*TAKEN, *(port.name for port in ports)}
+        others = *(port.name for port in ports), *model.programs, *(f"{name}_step" for name in model.programs)
+        self._taken = {writing.alike(name) for name in (*TAKEN, *writing.taken, *others)}
         for size in _sizes(programs):
             if size not in SILENT and size in self._nodes:
                 self.names[size] = self._name(self._nodes[size])
@@ -88,7 +125,7 @@ class Constants:
         """A number as it stands in a statement: its name, or the number where it has none."""
         size = abs(float(value))
         if size not in self.names:
-            return self.precision.number(value)
+            return self.writing.number(value)
         self.used.add(size)
         return f"(-{self.names[size]})" if value < 0 else self.names[size]
 
@@ -97,10 +134,11 @@ class Constants:
         name = self._symbol(node)
         if LIBRARY.search(name) or name.startswith(f"{self.model.name}_"):
             name = f"value_{name}"
+        alike = self.writing.alike
         found, number = name or "k1", 2
-        while found in self._taken:
+        while alike(found) in self._taken:
             found, number = (f"{name}_{number}" if name else f"k{number}"), number + 1
-        self._taken.add(found)
+        self._taken.add(alike(found))
         return found
 
     def _symbol(self, node: Node) -> str:
@@ -136,22 +174,24 @@ class Constants:
 
     def lines(self) -> list[str]:
         """How values are called; then the block: a line a constant, those of a part together, what is folded last."""
-        legend = wrapped(" ".join(LEGEND), first="/* ", later="   ", width=WIDTH)
-        return [*legend[:-1], f"{legend[-1]} */", *self._block()]
+        return [*self.writing.commented([" ".join(self.writing.legend)]), *self.block(self.used)]
 
-    def _block(self) -> list[str]:
-        used = [(size, name) for size, name in self.names.items() if size in self.used]
+    def block(self, sizes: Collection[float]) -> list[str]:
+        """The block of the constants of these sizes, what folded ones are made of among them."""
+        used = [(size, name) for size, name in self.names.items() if size in sizes]
         if not used:
             return []
         used.sort(key=lambda item: (bool(ANY.fullmatch(item[1])), "" if ANY.fullmatch(item[1]) else item[1]))
-        lines = ["/* Constants: numbers of the description, and what was folded of them. */"]
-        lines.append(f"{self.model.name.upper()}_UNUSED static const {self.precision.real}")
+        writing = self.writing
+        begin, later, close = writing.comment
+        lines = writing.commented(["Constants: numbers of the description, and what was folded of them."])
+        lines += [writing.opening] if writing.opening else []
         for k, (size, name) in enumerate(used):
             end = "," if k + 1 < len(used) else ";"
-            told = wrapped(self._told(self._nodes[size]), later="        ", width=WIDTH)
-            lines.append(f"    {name} = {self.precision.number(size)}{end} /* {told[0]}")
-            lines += told[1:]
-            lines[-1] += " */"
+            first = writing.constant.format(name=name, number=writing.number(size), end=end)
+            told = writing.said(self._told(self._nodes[size]))
+            lines += wrapped(told, first=first + begin, later=f"{later}     ", width=WIDTH - len(close))
+            lines[-1] += close
         return lines + self._others()
 
     def _others(self) -> list[str]:
@@ -160,17 +200,14 @@ class Constants:
         while len(told) < len(self._mentioned):  # what is told may mention more
             for node, name in list(self._mentioned.items()):
                 if node not in told:
-                    told[node] = name, f"{name} = {self.precision.number(abs(float(node.value)))} {self._told(node)}"
-        if not told:
-            return []
-        lines = ["/* They are made of these, too, which no statement reads:"]
-        for _, text in sorted({*told.values()}, key=lambda one: (bool(ANY.fullmatch(one[0])), *one)):
-            lines += wrapped(text, first="   ", later="       ", width=WIDTH)
-        return [*lines[:-1], f"{lines[-1]} */"]
+                    told[node] = name, f"{name} = {self.writing.number(abs(float(node.value)))} {self._told(node)}"
+        texts = sorted({*told.values()}, key=lambda one: (bool(ANY.fullmatch(one[0])), *one))
+        about = "They are made of these, too, which no statement reads:"
+        return self.writing.commented([about, *(text for _, text in texts)], "    ") if texts else []
 
     def _told(self, node: Node) -> str:
         """What the number is, each with its unit, and how it was folded where that has this unit."""
-        texts, told = [], {self.precision.number(float(node.value)): None}
+        texts, told = [], {self.writing.number(float(node.value)): None}
         given = self._units(node)
         formulas, folded, known = self._folded(node, given)
         for unit in given:
@@ -178,6 +215,8 @@ class Constants:
             text = _words([m for m in self._meanings[node] if unit_of(m.unit) == unit])
             texts.append(f"{text}: {formula}" if formula and formula not in told else text)
             told[formula] = None
+        if folded & {*given}:  # what it is in the description explains it; another unit would be by chance
+            known = [unit for unit in known if unit in given]
         new = {formula: unit for unit, formula in ((unit, formulas.told(node, unit)) for unit in known)}
         if not given and (len(new) < max(1, len(known)) or None in folded):  # one formula, and which unit nobody knows
             return plain(next(iter(new), formulas.told(node, None)) or "of the mechanism")
