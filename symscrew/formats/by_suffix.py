@@ -206,7 +206,12 @@ def _words_left(model: Mechanism, form: Format) -> list[str]:
     """What of a mechanism the files do not hold, on which none of their numbers depends: formulas and names."""
     kinds = [("formulas of the parameters", [*model.parameters]), ("names of limbs", [*model.limbs])]
     if not form.words:
-        kinds += [("named points", [*model.points]), ("the platform", [model.platform] if model.platform else [])]
+        ends = [end for joint in model.joints.values() for end in (joint.parent, joint.child)]
+        tips = [body for body in model.bodies if body != model.ground and ends.count(body) == 1]
+        platform = (
+            [model.platform] if model.platform and tips != [model.platform] else []
+        )  # the only tip is found again
+        kinds += [("named points", [*model.points]), ("the platform", platform)]
         length = model.characteristic_length
         kinds.append(("characteristic length", [] if length is None else [f"{float(model.number(length)):g} m"]))
     return [f"{what} ({', '.join(named)})" for what, named in kinds if named]

@@ -92,10 +92,7 @@ def test_what_numbers_depend_on_is_refused(tmp_path: Path, text: str, message: s
         (".xml", ["formulas of the parameters (d1, a2, a3, d4, d5, d6)", "names of limbs (arm)"]),
         (
             ".urdf",
-            [
-                "formulas of the parameters (d1, a2, a3, d4, d5, d6)", "names of limbs (arm)", "named points (flange)",
-                "the platform (wrist_3_link)",
-            ],
+            ["formulas of the parameters (d1, a2, a3, d4, d5, d6)", "names of limbs (arm)", "named points (flange)"],
         ),
     ],
 )  # fmt: skip
@@ -117,7 +114,7 @@ def test_limits_of_a_joint_with_several_freedoms_stay_apart(tmp_path: Path, suff
     robot = load_robot(path, stops=True)
     assert robot.limits == {"hip.0": JointLimits(-1, 1), "hip.1": JointLimits(-2, 2, effort=3)}
     assert [effect.stops()[0][1:2] for effect in robot.effects if effect.stops()] == [(0,), (1,)]
-    assert not save_robot(robot.mechanism, tmp_path / f"again{suffix}", robot.effects[:1], limits=robot.limits)[1:]
+    assert not save_robot(robot.mechanism, tmp_path / f"again{suffix}", robot.effects[:1], limits=robot.limits)
     assert load_robot(tmp_path / f"again{suffix}").limits == robot.limits
 
 
