@@ -87,10 +87,12 @@ def _number(mechanism: Mechanism, reader: Reader, value: Any) -> Any:
 
 
 def stops_of_file(reach: Mapping[str, tuple[float | None, float | None]]) -> list[Effect]:
-    """Rigid stops where joints leave their reach: joint -> (lower, upper) [rad or m], None for no stop."""
+    """Rigid stops where joints leave their reach: joint or `joint.k` -> (lower, upper) [rad or m], None for no stop."""
     tables = []
-    for joint, ends in reach.items():
+    for label, ends in reach.items():
+        joint, _, freedom = label.partition(".")
         given = {key: value for key, value in zip(("lower", "upper"), ends, strict=True) if value is not None}
         if given:
-            tables.append({"type": "end_stop", "joint": joint, "mode": "impact", **given})
+            where = {"joint": joint, **({"freedom": int(freedom)} if freedom else {})}
+            tables.append({"type": "end_stop", **where, "mode": "impact", **given})
     return [effect_from_table(table) for table in tables]

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from typing import Any
 
 from symscrew.errors import DescriptionError, shorten
-from symscrew.formats.draft import Draft, Limits
+from symscrew.formats.draft import Draft
 from symscrew.formats.file_names import safe_names
 from symscrew.formats.imported import Account, JointLimits
 from symscrew.formats.rigid_displacements import Real
@@ -97,8 +98,18 @@ def forces_of(draft: Draft, named: Named) -> tuple[Mapping[str, Any], ...]:
         table = {"kind": effect.table["kind"], "joint": joint, **effect.table}
         if freedom is not None and "freedom" not in table:
             table["freedom"] = freedom
+        if effect.joint in draft.leads:
+            table |= _about_the_screw(table, *map(float, draft.leads[effect.joint]))
         tables.append(table)
     return tuple(tables)
+
+
+def _about_the_screw(table: Mapping[str, Any], pitch: float, slid: float, turned: float) -> dict[str, float]:
+    """What of a force on the slide of a screw is another number at its hinge: s - slid = pitch (h - turned)."""
+    squared = {key: table[key] * pitch**2 for key in ("inertia", "coefficient", "stiffness", "damping") if key in table}
+    level = {"coulomb": table["coulomb"] * abs(pitch)} if "coulomb" in table else {}
+    rest = {"rest": turned + (table["rest"] - slid) / pitch} if "rest" in table and pitch else {}
+    return squared | level | rest
 
 
 def starts_of(given: Mapping[str, Mapping[tuple[str, str], Real]], named: Named) -> dict[str, dict[str, float]]:
@@ -113,11 +124,28 @@ def starts_of(given: Mapping[str, Mapping[tuple[str, str], Real]], named: Named)
     return found
 
 
-def limits_of(found: Limits) -> JointLimits:
-    """Limits as doubles."""
-    values = (found.lower, found.upper, found.velocity, found.effort)
-    lower, upper, velocity, effort = (None if value is None else float(value) for value in values)
-    return JointLimits(lower, upper, velocity, effort)
+def limits_of(draft: Draft, places: Callable[[str], str | None]) -> dict[str, JointLimits]:
+    """Limits as doubles; `places`: joint of the file -> joint of the mechanism, or freedom of one with several.
+
+    A screw has those of its hinge, and of its slide the reach, as turns of the hinge.
+    """
+    made: dict[str, JointLimits] = {}
+    for joint, found in draft.limits.items():
+        place = places(joint)
+        if place is None or joint in draft.leads:
+            continue
+        values = (found.lower, found.upper, found.velocity, found.effort)
+        made[place] = JointLimits(*(None if value is None else float(value) for value in values))
+    for joint, (pitch, slid, turned) in draft.leads.items():
+        place, ends = places(joint), draft.limits.get(joint)
+        if place is None or ends is None or not pitch:
+            continue
+        reach = [None if end is None else float(turned + (end - slid) / pitch) for end in (ends.lower, ends.upper)]
+        low, high = reach if pitch > 0 else reach[::-1]
+        own = made.get(place, JointLimits())
+        lows, highs = ([e for e in pair if e is not None] for pair in ((low, own.lower), (high, own.upper)))
+        made[place] = replace(own, lower=max(lows, default=None), upper=min(highs, default=None))
+    return made
 
 
 def account_of(draft: Draft) -> Account:

@@ -44,6 +44,7 @@ class Format:
             mechanism as its second argument where it has `held` any of that.
         held: (mechanism, forces) -> those that its files hold beside each other; None where they hold none.
         gravity: whether they hold the field of gravity.
+        all_limits: whether they hold greatest rates, and a reach with one end.
         words: whether they hold named points, the platform and the characteristic length.
     """
 
@@ -53,11 +54,12 @@ class Format:
     write: Callable[..., str] | None = None
     held: Callable[[Mechanism, Sequence[Mapping[str, Any]]], tuple[Mapping[str, Any], ...]] | None = None
     gravity: bool = False
+    all_limits: bool = False
     words: bool = False
 
 
 FORMATS = (
-    Format("robot", (".urdf",), read_urdf, print_urdf, urdf_effects.held),
+    Format("robot", (".urdf",), read_urdf, print_urdf, urdf_effects.held, all_limits=True),
     Format("mujoco", (".xml", ".mjcf"), read_mjcf, print_mjcf, mjcf_effects.held, gravity=True, words=True),
 )
 
@@ -188,14 +190,28 @@ def _text_and_rest(
             f"a {suffix} file does not hold {', '.join(left)}; write another format, leave these effects out (--bare), "
             "or accept that with --accept"
         )
-    return known[suffix](model, replace(beside, forces=kept)), left + unheld
+    return known[suffix](model, replace(beside, forces=kept)), left + _limits_left(beside, form) + unheld
+
+
+def _limits_left(beside: Beside, form: Format) -> list[str]:
+    if form.all_limits:
+        return []
+    rates = [joint for joint, found in beside.limits.items() if found.velocity is not None]
+    ends = [joint for joint, found in beside.limits.items() if (found.lower is None) != (found.upper is None)]
+    kinds = (("greatest rates", rates), ("reaches with one end", ends))
+    return [f"{what} ({', '.join(named)})" for what, named in kinds if named]
 
 
 def _words_left(model: Mechanism, form: Format) -> list[str]:
     """What of a mechanism the files do not hold, on which none of their numbers depends: formulas and names."""
     kinds = [("formulas of the parameters", [*model.parameters]), ("names of limbs", [*model.limbs])]
     if not form.words:
-        kinds += [("named points", [*model.points]), ("the platform", [model.platform] if model.platform else [])]
+        ends = [end for joint in model.joints.values() for end in (joint.parent, joint.child)]
+        tips = [body for body in model.bodies if body != model.ground and ends.count(body) == 1]
+        platform = (
+            [model.platform] if model.platform and tips != [model.platform] else []
+        )  # the only tip is found again
+        kinds += [("named points", [*model.points]), ("the platform", platform)]
         length = model.characteristic_length
         kinds.append(("characteristic length", [] if length is None else [f"{float(model.number(length)):g} m"]))
     return [f"{what} ({', '.join(named)})" for what, named in kinds if named]

@@ -129,6 +129,7 @@ class Draft:
     usual one; `configurations`: coordinates by name, in the file's order; `starts`: the same by joint and coordinate,
     `start_rates`: rates that belong to them;
     `parts_of`: name of a joint that is part of another now -> that one and its freedom there (None: none of its own);
+    `leads`: slide of a screw -> (pitch [m/rad], its and the hinge's coordinate in the reference configuration);
     `frames`: joints' own axes; `drags`: body -> what a medium does to it, as keys of a table;
     `cords`: springs over points, `tendons` those on other ways, and what pulls in either, as such tables;
     `notes` are for people, nothing depends on them.
@@ -156,6 +157,7 @@ class Draft:
     starts: dict[str, Mapping[tuple[str, str], Real]] = field(default_factory=dict)
     start_rates: dict[str, Mapping[tuple[str, str], Real]] = field(default_factory=dict)
     parts_of: dict[str, tuple[str, int | None]] = field(default_factory=dict)
+    leads: dict[str, tuple[Real, Real, Real]] = field(default_factory=dict)
     frames: dict[str, Pose] = field(default_factory=dict)
     pictures: list[RawPicture] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)

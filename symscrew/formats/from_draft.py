@@ -87,6 +87,12 @@ def imported(draft: Draft, options: ImportOptions) -> Imported:
         whole, freedom = places[joint]
         return named_joints[whole], freedom if kinds[whole].freedom > 1 else None
 
+    def label(joint: str) -> str | None:
+        if joint not in places:
+            return None
+        whole, freedom = named(joint)
+        return whole if freedom is None else kinds[places[joint][0]].freedom_names(whole)[freedom]
+
     return Imported(
         made,
         forces_of(draft, named)
@@ -94,7 +100,7 @@ def imported(draft: Draft, options: ImportOptions) -> Imported:
         + drags_of(draft, named_bodies)
         + cords_of(draft, safe_names(name for name, _, _ in draft.points))
         + tendons_of(draft, safe_names(name for name, _, _ in draft.points)),
-        {named(joint)[0]: limits_of(found) for joint, found in draft.limits.items() if joint in places},
+        limits_of(draft, label),
         {name: tuple(map(float, values)) for name, values in draft.configurations.items()},
         account,
         None if draft.gravity is None else tuple(map(float, draft.gravity)),

@@ -74,7 +74,7 @@ class Imported:
             drag, the body, and its numbers; kind cord, the points that it is over, and its numbers; kinds tendon and
             muscle, a name, the path, and its numbers. See
             `symscrew.effects.effects_of_file`.
-        limits: joint -> its limits.
+        limits: joint -> its limits; of a joint with several freedoms freedom (`hip.0`) -> its.
         configurations: name -> coordinates in the file's own order.
         account: what became of everything.
         gravity: the file's own [m/s^2]; None where it is the usual one.

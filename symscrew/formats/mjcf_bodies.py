@@ -368,6 +368,8 @@ def _screwed(reading: Reading, parts: list[RawJoint]) -> list[RawJoint]:
         )
         reading.seen.add(stem)
         reading.made_screws.add(before.name)
+        starts = (joint.reference[0] if joint.reference else ZERO[0] for joint in (before, part))
+        reading.result.leads[before.name] = (tied.powers[1], *starts)
         for name in (before.name, part.name):
             reading.result.parts_of[name] = (stem, 0 if name == part.name else None)
     return result

@@ -61,7 +61,9 @@ def _holds(mechanism: Mechanism, force: Mapping[str, Any]) -> bool:
 
 def joints_acted_on(beside: Beside) -> set[str]:
     """Joints that a force or limit names: they stay in the tree, where they have an element."""
-    return {str(force["joint"]) for force in beside.forces if "joint" in force} | set(beside.limits)
+    return {str(force["joint"]) for force in beside.forces if "joint" in force} | {
+        name.partition(".")[0] for name in beside.limits
+    }
 
 
 def add_effects(root: Element, mechanism: Mechanism, beside: Beside, bodies: Mapping[str, str]) -> None:
@@ -90,8 +92,9 @@ def add_effects(root: Element, mechanism: Mechanism, beside: Beside, bodies: Map
         else:
             _attributes(made[name], force)
     coupled = {term.joint for coupling in mechanism.couplings.values() for term in coupling.terms}
-    for joint, limits in beside.limits.items():
-        name = _element_name(mechanism, joint, None)
+    for label, limits in beside.limits.items():
+        joint, _, freedom = label.partition(".")
+        name = _element_name(mechanism, joint, int(freedom) if freedom else None)
         if name in made:
             drives = [m for m in root.iterfind("actuator/*") if m.get("joint") == name]
             _limit(made[name], limits, drives[0] if joint in coupled and len(drives) == 1 else None)

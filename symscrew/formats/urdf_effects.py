@@ -43,9 +43,9 @@ def add_effects(root: Element, mechanism: Mechanism, beside: Beside) -> None:
         element = SubElement(made[name], "dynamics") if found is None else found
         key, value = ("damping", "coefficient") if force["kind"] == "damping" else ("friction", "coulomb")
         element.set(key, decimals([float(element.get(key, "0")) + force[value]]))
-    for joint, limits in beside.limits.items():
-        if mechanism.joints[joint].kind.freedom == 1:
-            _limit(made[joint], limits)
+    for label, limits in beside.limits.items():
+        if label in made:  # a joint of one freedom, or one of a chain that stands for several
+            _limit(made[label], limits)
 
 
 def _armature(root: Element, name: str, force: Mapping[str, Any]) -> None:
@@ -68,13 +68,13 @@ def _limit(element: Element, limits: JointLimits) -> None:
     given = {"lower": limits.lower, "upper": limits.upper, "effort": limits.effort, "velocity": limits.velocity}
     for old in element.findall("limit"):
         element.remove(old)
-    reach = limits.lower is not None and limits.upper is not None
+    reach = limits.lower is not None or limits.upper is not None
     if element.get("type") == "continuous" and reach:
         element.set("type", "revolute")
     known = {key: value for key, value in given.items() if value is not None}
     if not known and element.get("type") not in ("revolute", "prismatic"):
         return
     wide = {"effort": WIDE, "velocity": WIDE}  # the format wants both, and of a slide a reach
-    if element.get("type") == "prismatic":
+    if element.get("type") == "prismatic" or (element.get("type") == "revolute" and reach):
         wide |= {"lower": -WIDE, "upper": WIDE}
     SubElement(element, "limit", {key: decimals([value]) for key, value in {**wide, **known}.items()})

@@ -38,7 +38,7 @@ class Robot:
     Attributes:
         mechanism: bodies, joints, couplings.
         effects: gravity, rotor inertias, friction, springs, servos.
-        limits: joint -> reach, rate, effort.
+        limits: joint, or freedom of one with several (`hip.0`) -> reach, rate, effort.
         configurations: keyframes by name, coordinates in the file's order.
         account: what became of everything that the file says; `account.lines()` in words.
         starts: keyframes by name, values of coordinates by their labels.
