@@ -33,7 +33,7 @@ from symscrew.mobility.components.moving_sections import (
 )
 from symscrew.mobility.components.plane_sections import places_modulo, sums_of
 from symscrew.mobility.components.polynomials import Polynomial
-from symscrew.mobility.components.witness_sets import joined_sets
+from symscrew.mobility.components.witness_sets import AGAIN, joined_sets
 
 Array = np.ndarray[Any, Any]
 
@@ -42,7 +42,7 @@ PRIMES = 8
 SECONDS = 4.0
 """Of the processor, for a prime: forty poses take half a second."""
 MOST_CHOICES = 64
-"""Choices of joints that are tried: the first joints of limbs, which are first, are independent where the drives are."""
+"""Choices of joints that are tried: the first of each limb, which mostly are independent, are among the first."""
 SINGULAR = 1e-4
 """Quotient of singular values of the equations with some variables fixed, below which these are not independent."""
 ZERO = 1e-8
@@ -127,6 +127,7 @@ def over_joints(
         parts.append(PosesOfOne(len(z), fine.certified, fine.residual, len(on - through), bool(through)))
     found = sum(part.poses for part in parts)
     reason = "" if found == total else f"{found} of {total} poses were found"
+    reason = reason or ("" if quiet >= AGAIN else "time was over before further loops")
     parts.sort(key=lambda part: (part.poses, -part.on))
     names = tuple(_name(closure, k) for k in chosen)
     return OverJoints(dimension, names, total, tuple(sorted(sums)), primes, tuple(parts), quiet, reason)

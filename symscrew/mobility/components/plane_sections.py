@@ -101,7 +101,9 @@ def places_modulo(moduli: Sequence[Sequence[Exact]], start: int, count: int) -> 
     p = LARGE
     while len(found) < start + count:
         p += 1
-        if any(p % d == 0 for d in range(2, int(p**0.5) + 1)) or any(c.denominator % p == 0 for low in lows for c in low):
+        if any(p % d == 0 for d in range(2, int(p**0.5) + 1)) or any(
+            c.denominator % p == 0 for low in lows for c in low
+        ):
             continue
         roots = [next((x for x in range(p) if _value(low, x, p) == 0), None) for low in lows]
         if None not in roots:
