@@ -5,9 +5,9 @@
 
 What it gives is numerical: a component's degree by the trace test, that it is irreducible over the complex numbers by
 loops that join its points. Components are those that real configurations from random starts lie on; others may be
-missing. Points where the equations' derivatives have less rank than around them belong to none; where all that were found
-are such, the sets of equal rank are decomposed in their place (`deflation`). What does not close so is looked at over
-given joint angles (`over_joints`).
+missing. Points where the equations' derivatives have less rank than around them belong to none; where all that were
+found are such, the sets of equal rank are decomposed in their place (`deflation`). What does not close so is looked at
+over given joint angles (`over_joints`).
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ ALL = 1e-30
 """Of all equations at points in 60 digits: zeros of all have 1e-48 or less. Where a real point is singular, known to
 1e-6, one near it can be a zero of combinations, and others are 1e-9 there."""
 NOTHING = 1e-6
-"""Of the largest of all values: a variable below it is rounding of zero at singular configurations, and its unit one."""
+"""Of the largest of all values: a variable below it is rounding of zero at singular configurations, unit one."""
 APART = 1e-6
 """Isolated configurations that differ by more are two."""
 OVER = 1.0
@@ -329,8 +329,7 @@ def _found_points(closure: ClosureEquations, network: Network) -> tuple[Array, A
         first = closure.scaled[0]
         values = values.copy()
         values[:, first:] /= np.linalg.norm(values[:, first : first + 4], axis=1, keepdims=True)
-    good = np.isfinite(values).all(axis=1)
-    good[good] = np.abs(values[good]).max(axis=1, initial=0.0) < LARGE
+    good = np.abs(np.nan_to_num(values, nan=np.inf)).max(axis=1, initial=0.0) < LARGE
     return values[told & good], values[~told]
 
 
