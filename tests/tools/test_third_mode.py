@@ -137,7 +137,8 @@ def test_no_other_mode_has_b_free_and_a_tied_or_at_rest() -> None:
         text += f"""ring r{k} = {prime}, (w,X,Y,Z,C,S,c,s,u), dp; option(redSB);
         ideal K = std(ideal({",".join(made)}, {plane}, u-3*c-5*s)); print("@size " + string(vdim(K)));
         ring s{k} = {prime}, (w,X,Y,Z,C,S,c,s,u), lp; ideal L = fglm(r{k}, K); poly f = L[1];\n"""
-    text += 'poly g = imap(s0, f); print("@both " + string(deg(f)) + " " + string(deg(gcd(f, g)))); print("@end"); quit;'
+    text += "poly g = imap(s0, f);"
+    text += 'print("@both " + string(deg(f)) + " " + string(deg(gcd(f, g)))); print("@end"); quit;'
     answer = algebra_answer(text, 40.0)
     assert answer is not None and answer[1], answer
     assert re.findall(r"@size (\d+)", answer[0]) == ["632", "632"] and "@both 632 0" in answer[0], answer[0]
