@@ -7,7 +7,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from support.further_mechanisms import CASES
+from support.further_mechanisms import CASES, loop
 from support.marks import slow
 from support.parallel_mechanisms import snu
 from support.reference_mechanisms import ENTRIES, build
@@ -16,10 +16,11 @@ from symscrew.cli.parser import main
 from symscrew.description.mechanism import Mechanism
 from symscrew.mobility.components import NumericalSpace, numerical_components, numerical_lines
 from symscrew.mobility.components.certified_points import refined
+from symscrew.mobility.components.deflation import deflated, made_regular
 from symscrew.mobility.components.many_points import ManyPoints
 from symscrew.mobility.components.moving_sections import Section, SquareSystem, complex_numbers, moved_points
-from symscrew.mobility.components.polynomials import Polynomial
 from symscrew.mobility.components.plane_sections import places_modulo, sums_of
+from symscrew.mobility.components.polynomials import Polynomial
 from symscrew.mobility.components.witness_sets import bend, completed_sets, joined_sets
 from symscrew.mobility.joint_network import network_of
 
@@ -30,10 +31,14 @@ def mechanism(name: str) -> Mechanism:
     return snu() if name == "snu" else build(ENTRIES[name]) if name in ENTRIES else CASES[name].make()
 
 
-def decomposed(name: str, seconds: float = 60.0) -> NumericalSpace:
-    found = numerical_components(mechanism(name), network_of(mechanism(name)), seconds)
+def decomposed_of(made: Mechanism, seconds: float = 60.0) -> tuple[NumericalSpace, ...]:
+    found = numerical_components(made, network_of(made), seconds)
     assert not isinstance(found, str), found
-    (space,) = found
+    return found
+
+
+def decomposed(name: str, seconds: float = 60.0) -> NumericalSpace:
+    (space,) = decomposed_of(mechanism(name), seconds)
     return space
 
 
@@ -92,7 +97,7 @@ def test_what_is_of_several_components_stays_apart() -> None:
 
 
 def test_points_over_a_variable_are_joined_where_they_are_of_one_component() -> None:
-    """Over x a conic and a cubic have two points each; the section stays one of x. One more is looked for until time is over."""
+    """Over x a conic and a cubic have two points each; the section stays one of x. A fifth is sought till time ends."""
     conic, cubic = of({(2, 0): 1, (0, 2): 2, (0, 0): -1}, {(3, 0): 1, (0, 2): -1, (1, 0): 1, (0, 0): 3})
     system = SquareSystem.of(ManyPoints.of([conic * cubic], np.ones(2)), 1, np.random.default_rng(1))
     random = np.random.default_rng(2)
@@ -103,7 +108,8 @@ def test_points_over_a_variable_are_joined_where_they_are_of_one_component() -> 
     sets, quiet = joined_sets(system, section, seeds, 4, random=random, spent=lambda: False)
     assert [(len(z), seeds) for z, seeds in sets] == [(2, (0,)), (2, (1,))] and quiet == 8
     assert all(abs(z[:, 0]).max() < 1e-9 for z, _ in sets)
-    sets, quiet = joined_sets(system, section, seeds, 5, random=random, spent=iter([False] * 200 + [True] * 9999).__next__)
+    ends = iter([False] * 200 + [True] * 1000)
+    sets, quiet = joined_sets(system, section, seeds, 5, random=random, spent=lambda: next(ends))
     assert sum(len(z) for z, _ in sets) == 4
 
 
@@ -122,8 +128,10 @@ def test_who_is_slow_is_given_up_where_not_all_are_needed() -> None:
 
 def test_places_are_primes_with_roots_of_the_fields_numbers() -> None:
     """sqrt(3) and sqrt(115), which a delta has; every prime has its own place."""
-    found = places_modulo([(Fraction(-3), Fraction(0)), (Fraction(-115), Fraction(0))], 0, 4)
-    assert len({p for p, _ in found}) == 4 and all(a * a % p == 3 and b * b % p == 115 for p, (a, b) in found)
+    found = places_modulo([(Fraction(-3), Fraction(0)), (Fraction(-115), Fraction(0))], 0, 3)
+    assert len({p for p, _ in found}) == 3 and all(a * a % p == 3 and b * b % p == 115 for p, (a, b) in found)
+    ((p, (half,)),) = places_modulo([(Fraction(-3, 4), Fraction(0))], 0, 1)
+    assert 4 * half * half % p == 3
     assert places_modulo([], 0, 2) == [(30011, ()), (30013, ())]
     assert sums_of([1, 1, 38]) & sums_of([2, 4, 4, 30]) == {0, 2, 38, 40}
 
@@ -176,10 +184,28 @@ def test_without_time_nothing_is_claimed() -> None:
     assert "not all points were found" in numerical_lines([found])[0]
 
 
-def test_singular_configurations_are_on_none() -> None:
-    """Three ball joints on one line: they stay there, where distances are largest, and equations have no rank."""
-    made = mechanism("3S, collinear")
-    assert "whose place doubles tell" in str(numerical_components(made, network_of(made)))
+@pytest.mark.parametrize("places, rank", [((0, 1, 3), 4), ((0, 1, 2, 4), 2)])
+def test_singular_configurations_are_on_what_conditions_for_the_rank_leave(places: tuple[int, ...], rank: int) -> None:
+    """Ball joints on one line, the longest bar as long as the others: they stay there, and the bars turn about it.
+
+    So the body's poses are x2 = x3 = 0 = y of Study's parameters, a line on which derivatives have no full rank.
+    """
+    made = loop(*(("S", [x, 0, 0], None) for x in places))
+    (found,) = decomposed_of(made)
+    (part,) = found.components
+    assert (part.dimension, part.degree, part.rank) == (1, 1, rank) and part.closed and part.certified == 1
+    assert part.through and part.on == found.found > 20 and not found.unplaced and part.trace < FINE
+    assert f"rank {rank} only" in numerical_lines([found])[1]
+
+
+def test_a_condition_for_a_rank_is_met_where_it_is_lower_and_nowhere_else() -> None:
+    """Two planes x^2 + y^2 = 0 through a real line: settled from near it, where the rank is 0; not where it is 1."""
+    given = deflated(of({(2, 0, 0): 1, (0, 2, 0): 1}), 0, np.random.default_rng(1))
+    made = ManyPoints.of(given, np.ones(3))
+    z, settled = made_regular(made, np.array([[1e-6, 2e-6, 0.3]]), 1e-8)
+    assert settled.all() and np.abs(z[0, :2]).max() < 1e-15 and z[0, 2] == pytest.approx(0.3)
+    nowhere = deflated(of({(2, 0, 0): 1, (0, 2, 0): 1, (0, 0, 0): -1}), 0, np.random.default_rng(1))
+    assert not made_regular(ManyPoints.of(nowhere, np.ones(3)), np.array([[1.0, 0.0, 0.3]]), 1e-8)[1].any()
 
 
 @pytest.mark.slow

@@ -26,6 +26,7 @@ from symscrew.mobility.components import (
     configuration_space,
 )
 from symscrew.mobility.components.exact_parts import variable_names
+from symscrew.mobility.components.plane_sections import sums_of
 from symscrew.mobility.joint_network import network_of
 
 pytestmark = pytest.mark.skipif(shutil.which(ALGEBRA_PROGRAM) is None, reason="Singular is not installed (singular-ui)")
@@ -175,6 +176,46 @@ def by_package(given: Mechanism, modulo: Modulo) -> tuple[list[str], list[str]]:
     return ["w", *names], [*texts[: len(closure.equations)], f"w*{never}-1" if never else "w-1"]
 
 
+def on_rods(given: Mechanism, modulo: Modulo) -> tuple[list[str], list[str]]:
+    """Poses of a platform on rods between balls, whose lower ends are on arms at random angles, by their lengths.
+
+    (|R b + d - a|^2 - l^2) (x, x) = (a a + b b - l^2) (x, x) + 4 (y, y) + 2 (b R^T d - a (R b + d)) (x, x),
+    with d (x, x) = 2 (x0 y - y0 x + x x y) and R^T d (x, x) the same with the other sign of the cross product.
+    """
+    chosen, p = random.Random(11), modulo.prime
+    equations = ["x0*y0+x1*y1+x2*y2+x3*y3", "w*(x0^2+x1^2+x2^2+x3^2)-1"]
+
+    def place(joint: object) -> list[int]:
+        return [modulo(given.number(c)) for c in joint.point]  # type: ignore[attr-defined]
+
+    def crossed(a: Sequence[int], b: Sequence[int]) -> list[int]:
+        return [(a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3]) % p for k in range(3)]
+
+    across = ["(x2*y3-x3*y2)", "(x3*y1-x1*y3)", "(x1*y2-x2*y1)"]
+    for arm in (j for j in given.joints.values() if j.type == "R"):
+        (axis,) = ([modulo(given.number(c)) for c in a] for a in arm.axes)
+        t = chosen.randint(1, p - 1)  # by the angle whose half has the tangent t |axis|: (1 + t axis) v (1 - t axis)
+        square = sum(c * c for c in axis)
+        below = pow(1 + t * t * square, -1, p)
+        for foot in (j for j in given.joints.values() if j.type == "S" and j.parent == arm.child):
+            (ball,) = (j for j in given.joints.values() if j.type == "S" and j.parent == foot.child)
+            b, before, pivot = place(ball), place(foot), place(arm)
+            v = [x - y for x, y in zip(before, pivot, strict=True)]
+            once = crossed(axis, v)
+            twice = crossed(axis, once)
+            a = [(o + x + (2 * t * y + 2 * t * t * z) * below) % p
+                 for o, x, y, z in zip(pivot, v, once, twice, strict=True)]  # fmt: skip
+            number = sum(x * x + y * y - (z - y) ** 2 for x, y, z in zip(a, b, before, strict=True))
+            terms = [f"({number % p})*(x0^2+x1^2+x2^2+x3^2)", "4*(y0^2+y1^2+y2^2+y3^2)"]
+            turned = rotated(b)
+            for k in range(3):
+                straight = f"(x0*y{k + 1}-y0*x{k + 1})"
+                terms.append(f"({-2 * a[k] % p})*({turned[k]}+2*{straight}+2*{across[k]})")
+                terms.append(f"({4 * b[k] % p})*({straight}-{across[k]})")
+            equations.append("+".join(terms))
+    return ["w", *(f"{letter}{k}" for letter in "xy" for k in range(4))], equations
+
+
 def cut(form: Form, given: Mechanism, planes: int) -> list[list[int]]:
     """The factors' degrees modulo two primes."""
     found, prime = list[list[int]](), 1 << 29
@@ -196,7 +237,7 @@ def cut(form: Form, given: Mechanism, planes: int) -> list[list[int]]:
         (planar, "planar_5bar", 2, 14), (planar, "double_watt_cusp", 1, 52), (planar, "double parallelogram", 1, 2),
         (planar, "threebar_parallel_equal", 1, 2), (planar, "kinematotropic_double_fold", 2, 4),
         (planar, "two cells", 2, 4 + 8 + 8 + 16), (planar, "andrews", 1, 36), (planar, "planar_3rrr", 3, 106),
-        (in_planes, "3rps", 4, 7 + 7),
+        (in_planes, "3rps", 4, 7 + 7), (on_rods, "delta_4s", 1, 2 + 38),
         (by_package, "3-PRS", 4, 8), (by_package, "origami degree 4", 2, 4), (by_package, "origami degree 6", 4, 16),
         (by_package, "bennett", 2, 2), (by_package, "goldberg_5r", 2, 4), (by_package, "sarrus-stretched", 3, 1),
     ],
@@ -207,6 +248,12 @@ def test_degrees_by_planes_and_points(form: Form, name: str, planes: int, degree
     Planes that are one more than the dimension: of Study's parameters only ratios matter, so that they are cones.
     """
     assert all(sum(factors) == degree for factors in cut(form, mechanism(name), planes))
+
+
+def test_two_of_the_poses_of_a_delta_are_apart_from_the_others() -> None:
+    """Translations: a hexapod in general has 40 that are not parted (Stewart platform); factors of each prime agree."""
+    for factors in cut(on_rods, mechanism("delta_4s"), 1):
+        assert {2, 38} <= sums_of(factors)
 
 
 @pytest.mark.parametrize("name, form", [("planar_4bar", planar), ("parallelogram", planar), ("3-PRS", by_package)])

@@ -24,12 +24,15 @@ from symscrew.mobility.components import (
     UNCHECKED,
     ClosureEquations,
     ConfigurationSpace,
+    NumericalSpace,
     PoseModes,
     algebraic_closure,
     all_components,
     closure_equations,
     configuration_space,
     mode_lines,
+    numerical_components,
+    numerical_lines,
     pose_lines,
     pose_modes,
     space_lines,
@@ -346,3 +349,16 @@ def test_the_third_mode_of_the_4_ruu_is_there_with_two_freedoms() -> None:
     for other in (replace(mode, dimension=3), replace(mode, witness=0 * mode.witness)):  # there more moves
         (refused,) = judged_modes(found, replace(modes, modes=(replace(other, certified=False),))).modes
         assert not refused.certified
+
+
+@pytest.mark.slow
+def test_a_delta_with_ball_joints_translates_or_does_not() -> None:
+    """Of its rods' 40 poses over given arm angles two are translations; factors modulo primes leave no other parts."""
+    made = mechanism("delta_4s")
+    (space,) = numerical_components(made, network_of(made), 12.0)
+    (over,) = space.over
+    assert isinstance(space, NumericalSpace) and not space.closed
+    assert (over.total, over.joints, over.reason) == (40, ("B0", "B1", "B2"), "") and over.irreducible
+    assert [(p.poses, p.certified, p.through) for p in over.parts] == [(2, 2, True), (38, 38, False)]
+    assert sum(p.on for p in over.parts) > 50 and all(p.residual < 1e-30 for p in over.parts)
+    assert any("over given B0, B1, B2: 2 components" in line for line in numerical_lines([space]))

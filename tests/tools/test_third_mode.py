@@ -11,7 +11,7 @@ finitely many solutions. Two symmetries, in the plane of the feet (Z, S -> -Z, -
 limbs (X, Y, S -> -X, -Y, -S), part these into sets of four. If the solutions modulo each of the three symmetries are a
 field over the rationals, all are one: an extension by two roots is a field where none of a, b and a b is a square.
 
-Components on which the two ratios are not free are not among these.
+Components on which the two ratios are not free are not among these; one with b free is excluded below modulo a prime.
 (L. Nurahmi, S. Caro, P. Wenger, J. Schadlbauer, M. Husty, Mech. Mach. Theory 96, 2016: a third mode, of two freedoms.)
 """
 
@@ -118,3 +118,27 @@ def test_poses_modulo_each_symmetry_are_a_field(form: str) -> None:
         assert count == POSES and sum(degrees) == POSES // 2
         left &= sums_of(degrees)
     assert left == {0, POSES // 2}
+
+
+@pytest.mark.slow
+def test_no_other_mode_has_b_free_and_a_tied_or_at_rest() -> None:
+    """Over a given b, such a mode would have a curve over some a, which every plane in X, Y, Z, C, S meets: two planes
+    have no a in common, modulo a prime. Poses with S = 0 are left out: the platform is upright or upside down."""
+    prime, (cos_b, sin_b) = PRIMES[0], (-4 * pow(5, -1, PRIMES[0]), 3 * pow(5, -1, PRIMES[0]))
+    made = ["C^2+S^2-1", "c^2+s^2-1", "w*S-1"]
+    for x, y in ((1, 0), (0, 1), (-1, 0), (0, -1)):
+        (u, v) = (3 * x - y, 3 * y + x)
+        bx, by = (cos_b * u - sin_b * v) % prime, (sin_b * u + cos_b * v) % prime
+        ex, ey = f"(X+{bx}-({6 * x}*c+({6 * y})*s))", f"(Y+{by}*C-(({6 * y})*c-({6 * x})*s))"
+        high = f"((Z+{by}*S)^2-16)"
+        made.append(f"({ex}^2-{high})^2+{ey}^4+2*{ey}^2*({ex}^2+{high})-100*{ey}^2")
+    text = ""
+    for k, plane in enumerate(("2*X+3*Y-5*Z+7*C+4*S-9", "11*X-3*Y+8*Z+5*C-6*S+17")):
+        text += f"""ring r{k} = {prime}, (w,X,Y,Z,C,S,c,s,u), dp; option(redSB);
+        ideal K = std(ideal({",".join(made)}, {plane}, u-3*c-5*s)); print("@size " + string(vdim(K)));
+        ring s{k} = {prime}, (w,X,Y,Z,C,S,c,s,u), lp; ideal L = fglm(r{k}, K); poly f = L[1];\n"""
+    text += "poly g = imap(s0, f);"
+    text += 'print("@both " + string(deg(f)) + " " + string(deg(gcd(f, g)))); print("@end"); quit;'
+    answer = algebra_answer(text, 40.0)
+    assert answer is not None and answer[1], answer
+    assert re.findall(r"@size (\d+)", answer[0]) == ["632", "632"] and "@both 632 0" in answer[0], answer[0]

@@ -214,6 +214,8 @@ def _numerical(part: NumericalComponent, found: NumericalSpace) -> str:
     trace = f"; trace {part.trace:.0e}{' in 60 digits' if part.fine else ''}" if part.closed else ""
     joined = f"; all joined again in {part.loops} loop{'s' * (part.loops != 1)}" if part.loops else ""
     size = f"dimension {part.dimension}, {number}, {where[part.through]}"
+    if part.rank is not None:
+        size += f", all over it the equations have rank {part.rank} only, a condition for which was added (deflated)"
     return f"{size}, {part.on} of {found.found} real configurations; {proof}{trace}{joined}"
 
 
@@ -221,8 +223,8 @@ def _over_joints(found: OverJoints) -> list[str]:
     """The components over given joint angles, and what says that they are all."""
     count = len(found.parts)
     head = (
-        f"over given {', '.join(found.joints)}: {count} component{'s' * (count != 1)} of dimension {found.dimension} on "
-        f"which these vary freely, {found.total} poses over the complex numbers for generic values (counted by "
+        f"over given {', '.join(found.joints)}: {count} component{'s' * (count != 1)} of dimension {found.dimension} "
+        f"on which these vary freely, {found.total} poses over the complex numbers for generic values (counted by "
         f"{ALGEBRA_PROGRAM} modulo {found.primes} primes, all simple)"
     )
     if found.reason:
@@ -234,8 +236,8 @@ def _over_joints(found: OverJoints) -> list[str]:
     for part in found.parts:
         where = "through the reference" if part.through else "not through the reference, or it is singular"
         lines.append(
-            f"dimension {found.dimension}, {part.poses} poses for given joints, {where}, {part.on} real configurations; "
-            f"{part.certified} certified (Krawczyk), all equations below {part.residual:.0e} there"
+            f"dimension {found.dimension}, {part.poses} poses for given joints, {where}, {part.on} real configurations"
+            f"; {part.certified} certified (Krawczyk), all equations below {part.residual:.0e} there"
         )
     return lines
 
@@ -263,7 +265,8 @@ def numerical_values(spaces: Sequence[NumericalSpace]) -> list[dict[str, Any]]:
              {"dimension": c.dimension, "degree": c.degree, "all_points_found": c.closed,
               "through_reference": c.through, "real_configurations": c.on, "certified_points": c.certified,
               "largest_equation": c.residual if c.certified else None, "trace": c.trace if c.closed else None,
-              "trace_in_60_digits": c.fine, "at_most_components": c.sets, "loops_that_join_again": c.loops}
+              "trace_in_60_digits": c.fine, "at_most_components": c.sets, "loops_that_join_again": c.loops,
+              "deflated_to_rank": c.rank}
              for c in s.components],
          "over_joints": [_over_values(over) for over in s.over]}
         for s in spaces

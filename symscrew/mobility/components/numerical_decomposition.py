@@ -5,8 +5,9 @@
 
 What it gives is numerical: a component's degree by the trace test, that it is irreducible over the complex numbers by
 loops that join its points. Components are those that real configurations from random starts lie on; others may be
-missing. Points where the equations' derivatives have less rank than around them belong to none: of a component on all
-of which it is so (a multiple one) nothing is said.
+missing. Points where the equations' derivatives have less rank than around them belong to none; where all that were
+found are such, the sets of equal rank are decomposed in their place (`deflation`). What does not close so is looked at
+over given joint angles (`over_joints`).
 """
 
 from __future__ import annotations
@@ -22,6 +23,7 @@ from symscrew.description import Mechanism
 from symscrew.mobility.components.algebraic_closure import closure_equations
 from symscrew.mobility.components.certified_points import refined, trace_in_digits
 from symscrew.mobility.components.closure_parts import ClosureEquations, NotAlgebraicError
+from symscrew.mobility.components.deflation import deflated, made_regular, ranks_of
 from symscrew.mobility.components.many_points import ManyPoints
 from symscrew.mobility.components.moving_sections import (
     Section,
@@ -58,6 +60,8 @@ ZERO = 1e-8
 ALL = 1e-30
 """Of all equations at points in 60 digits: zeros of all have 1e-48 or less. Where a real point is singular, known to
 1e-6, one near it can be a zero of combinations, and others are 1e-9 there."""
+NOTHING = 1e-6
+"""Of the largest of all values: a variable below it is rounding of zero at singular configurations, unit one."""
 APART = 1e-6
 """Isolated configurations that differ by more are two."""
 OVER = 1.0
@@ -81,7 +85,8 @@ class NumericalComponent:
     `certified`: of how many it is proved that they are regular zeros, apart from each other; `trace`: second difference
     of their sum, relative, in 60 digits where `fine`; `residual`: largest of all equations at them; `loops`: how many
     joined all points when they were followed a second time, 0 where that was not done; `on`: real configurations on it;
-    `through`: whether the reference is on it, None where that is not known.
+    `through`: whether the reference is on it, None where that is not known; `rank`: of the equations' derivatives all
+    over a set on which that is lower than around it; it is certified with equations for this rank (deflated).
     """
 
     dimension: int
@@ -95,6 +100,7 @@ class NumericalComponent:
     sets: int = 1
     on: int = 0
     through: bool | None = None
+    rank: int | None = None
 
 
 @dataclass(frozen=True)
@@ -155,9 +161,10 @@ def _closure(mechanism: Mechanism, network: Network) -> ClosureEquations:
 def decomposed(closure: ClosureEquations, network: Network, seconds: float = SECONDS) -> NumericalSpace | None:
     """The components that real configurations lie on; None where none of these were found."""
     begun = time.process_time()
-    values, blurred = _known_points(closure, network)
+    values, vague = _found_points(closure, network)
     if not len(values):
-        return None
+        return _deflated(closure, vague, _limit(begun, seconds))
+    blurred = len(vague)
     polynomials = ManyPoints.of(closure.equations, _units(closure, values))
     z = _closer(polynomials, values / polynomials.sizes)
     reference = np.array([[float(exact_value(c)) for c in closure.reference]]) / polynomials.sizes
@@ -200,20 +207,71 @@ def decomposed(closure: ClosureEquations, network: Network, seconds: float = SEC
     )  # fmt: skip
 
 
-class _Dimension:
-    """Points of components of one dimension, on one random section; `late`: whether a part of the time is over."""
+def _deflated(
+    closure: ClosureEquations, vague: Array, late: Callable[[float], bool]
+) -> NumericalSpace | None:  # fmt: skip
+    """The sets where equations have less rank than around them, of a mechanism all of whose configurations are such.
 
-    def __init__(self, polynomials: ManyPoints, size: int, late: Callable[[float], bool]) -> None:
+    None where conditions for the rank do not make a zero regular.
+    """
+    vague = vague[np.isfinite(vague).all(axis=1)]
+    if not len(vague) or np.abs(vague).max() > LARGE:
+        return None
+    sizes, cone = _units(closure, vague), int(bool(closure.scaled))
+    plain, count = ManyPoints.of(closure.equations, sizes), len(sizes)
+    reference = np.array([[float(exact_value(c)) for c in closure.reference]]) / sizes
+    points = np.concatenate([vague / sizes, reference])
+    ranks = ranks_of(plain, points)
+    components, placed = list[NumericalComponent](), np.zeros(len(points), dtype=bool)
+    for rank in sorted(set(ranks.tolist())):
+        given = deflated(closure.equations, rank, np.random.default_rng(SEED))
+        more = len(next(iter(given[0].terms))) - count
+        polynomials = ManyPoints.of(given, np.concatenate([sizes, np.ones(more)]))
+        who = np.flatnonzero(ranks == rank)
+        z, settled = made_regular(polynomials, points[who], RANK)
+        who, z = who[settled], z[settled]
+        free = _coranks(polynomials, z)
+        for size in sorted({int(s) for s in free if s > cone}, reverse=True):
+            work = _Dimension(polynomials, size, late, np.arange(count + more) < count)
+            own = who[free == size]
+            sets, known = work.sets(z[free == size])
+            for one in sets:
+                part = work.component(one, size - cone)
+                if part.residual <= ALL:
+                    on = {int(own[known][k]) for k in one.seeds}
+                    placed[list(on)] = True
+                    through = len(vague) in on
+                    components.append(replace(part, on=len(on - {len(vague)}), through=through, rank=rank))
+    if not components:
+        return None
+    done = all(c.closed for c in components)
+    return NumericalSpace(
+        closure.subject, closure.variables, str(closure.field), tuple(components), len(vague), 0,
+        int((~placed[:-1]).sum()), True, closure.settles, "" if done else "not all points were found in the time given",
+    )  # fmt: skip
+
+
+class _Dimension:
+    """Points of components of one dimension, on one random section; `late`: whether a part of the time is over.
+
+    `support`: the variables that the section is of.
+    """
+
+    def __init__(
+        self, polynomials: ManyPoints, size: int, late: Callable[[float], bool], support: Array | None = None
+    ) -> None:
         self.random = np.random.default_rng(SEED)
         self.size, self.late = size, late
         self.times = (lambda: late(LOOPING), lambda: late(JOINING))
         self.system = SquareSystem.of(polynomials, size, self.random)
         self.width = len(polynomials.sizes)
-        self.section = Section(complex_numbers(self.random, size, self.width), short_numbers(self.random, size))
+        self.support = np.ones(self.width, dtype=bool) if support is None else support
+        matrix = complex_numbers(self.random, size, self.width) * self.support
+        self.section = Section(matrix, short_numbers(self.random, size))
 
     def sets(self, points: Array) -> tuple[list[WitnessSet], Array]:
         """(sets of the points' components, which points were followed to the section and are zeros there)."""
-        matrix = complex_numbers(self.random, len(points), self.size, self.width)
+        matrix = complex_numbers(self.random, len(points), self.size, self.width) * self.support
         start = Section(matrix, np.einsum("pij,pj->pi", matrix, points))
         moved, come = moved_points(self.system, points, (start, self.section), self.times[0])
         come[come] &= np.abs(self.system.polynomials.at(moved[come])[0]).max(axis=1, initial=0.0) < ZERO
@@ -258,22 +316,21 @@ def _limit(begun: float, until: float) -> Callable[[float], bool]:
     return lambda part: time.process_time() - begun > part * until
 
 
-def _known_points(closure: ClosureEquations, network: Network) -> tuple[Array, int]:
-    """(values of the variables at real configurations, one a row, how many others doubles do not tell the place of).
-
-    Of ratios the ones with x of length one.
+def _found_points(closure: ClosureEquations, network: Network) -> tuple[Array, Array]:
+    """(values of the variables at real configurations, one a row; those of others, which doubles tell the place of
+    to fewer digits only). Of ratios the ones with x of length one.
     """
     q = real_configurations(network)
     told = told_apart(network, q)
-    values = variables_at(closure, network, q[told]) if told.any() else None
+    values = variables_at(closure, network, q) if len(q) else None
     if values is None:
-        return np.zeros((0, len(closure.variables))), 0
-    values = values[np.isfinite(values).all(axis=1)]
-    if closure.scaled and len(values):
+        return np.zeros((0, len(closure.variables))), np.zeros((0, len(closure.variables)))
+    if closure.scaled:
         first = closure.scaled[0]
         values = values.copy()
         values[:, first:] /= np.linalg.norm(values[:, first : first + 4], axis=1, keepdims=True)
-    return np.asarray(values[np.abs(values).max(axis=1, initial=0.0) < LARGE]), int((~told).sum())
+    good = np.abs(np.nan_to_num(values, nan=np.inf)).max(axis=1, initial=0.0) < LARGE
+    return values[told & good], values[~told]
 
 
 def _least_step(polynomials: ManyPoints, z: Array) -> Array:
@@ -296,7 +353,7 @@ def _units(closure: ClosureEquations, values: Array) -> Array:
         first = closure.scaled[0]
         units[first : first + 4] = 1.0
         units[first + 4 :] = np.sqrt((values[:, first + 4 :] ** 2).mean())
-    return np.asarray(2.0 ** np.round(np.log2(np.where(units > 0, units, 1.0))))
+    return np.asarray(2.0 ** np.round(np.log2(np.where(units > NOTHING * np.abs(values).max(), units, 1.0))))
 
 
 def _coranks(polynomials: ManyPoints, z: Array) -> Array:

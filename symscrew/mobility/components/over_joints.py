@@ -33,16 +33,17 @@ from symscrew.mobility.components.moving_sections import (
 )
 from symscrew.mobility.components.plane_sections import places_modulo, sums_of
 from symscrew.mobility.components.polynomials import Polynomial
-from symscrew.mobility.components.witness_sets import joined_sets
+from symscrew.mobility.components.witness_sets import AGAIN, joined_sets
 
 Array = np.ndarray[Any, Any]
 
-PRIMES = 8
-"""Primes at most: what sums they leave open after these are probably components."""
+PRIMES, FEWEST = 16, 2
+"""Primes at most, and those that have to count the same: a pair of poses is parted by one prime in two, so that what
+sums sixteen leave open are probably components."""
 SECONDS = 4.0
 """Of the processor, for a prime: forty poses take half a second."""
 MOST_CHOICES = 64
-"""Choices of joints that are tried: the first joints of limbs, which are first, are independent where the drives are."""
+"""Choices of joints that are tried: the first of each limb, which mostly are independent, are among the first."""
 SINGULAR = 1e-4
 """Quotient of singular values of the equations with some variables fixed, below which these are not independent."""
 ZERO = 1e-8
@@ -105,10 +106,10 @@ def over_joints(
     chosen = _independent(closure, polynomials, points, dimension)
     if chosen is None:
         return None
-    counted = _counted(closure, chosen)
+    counted = _counted(closure, chosen, FEWEST, until=set())
     if counted is None:
         return None
-    total, sums, primes = counted
+    total = counted[0]
     generator = np.random.default_rng(SEED)
     kind = _kind(closure, chosen)
     system = SquareSystem.of(polynomials, len(kind), generator)
@@ -126,7 +127,12 @@ def over_joints(
         through = {len(points) - 1} & on if reference else set[int]()
         parts.append(PosesOfOne(len(z), fine.certified, fine.residual, len(on - through), bool(through)))
     found = sum(part.poses for part in parts)
+    again = _counted(closure, chosen, PRIMES, until=sums_of([part.poses for part in parts]))
+    if again is None or again[0] != total:
+        return None
+    _, sums, primes = again
     reason = "" if found == total else f"{found} of {total} poses were found"
+    reason = reason or ("" if quiet >= AGAIN else "time was over before further loops")
     parts.sort(key=lambda part: (part.poses, -part.on))
     names = tuple(_name(closure, k) for k in chosen)
     return OverJoints(dimension, names, total, tuple(sorted(sums)), primes, tuple(parts), quiet, reason)
@@ -162,20 +168,24 @@ def _independent(
     return None
 
 
-def _counted(closure: ClosureEquations, chosen: Sequence[int]) -> tuple[int, set[int], int] | None:
+def _counted(
+    closure: ClosureEquations, chosen: Sequence[int], most: int, *, until: set[int]
+) -> tuple[int, set[int], int] | None:
     """(poses over a place, what sums of degrees all primes leave, how many primes); None where one has multiple ones.
 
-    Another place for every prime: what is true for each is no accident of one.
+    Another place for every prime: what is true for each is no accident of one. Till `until` is left, or `most` primes.
     """
     numbers, total, primes = random.Random(SEED), 0, 0
     sums: set[int] = set()
-    for prime, roots in places_modulo([g.modulus for g in closure.field.generators], 0, PRIMES):
+    for prime, roots in places_modulo([g.modulus for g in closure.field.generators], 0, most):
         answer = algebra_answer(_script(closure, chosen, prime, roots, numbers), SECONDS)
         degrees = [int(d) for d in re.findall(r"^@degree (\d+)$", answer[0], re.MULTILINE)] if answer else []
         if answer is None or not answer[1] or not degrees or (total and sum(degrees) != total):
             return None
         own = sums_of(degrees)
         total, sums, primes = sum(degrees), (sums & own if primes else own), primes + 1
+        if sums == until and primes >= FEWEST:
+            break
     return total, sums, primes
 
 

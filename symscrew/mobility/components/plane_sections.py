@@ -19,6 +19,7 @@ import random
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 
 from symscrew.mobility.components.algebra_program import algebra_answer
 from symscrew.mobility.symbols import Exact, terms_of
@@ -65,7 +66,7 @@ def sections(bases: Sequence[Basis], count: int, modulus: Sequence[Exact], secon
     pure, met = set[int](), set[int]()
     chosen = random.Random(SEED)
     for start in range(0, PRIMES, AT_ONCE):
-        places = [(p, *roots, 0)[:2] for p, roots in places_modulo([modulus] if modulus else [], start, AT_ONCE)]
+        places = [(p, sum(roots)) for p, roots in places_modulo([modulus] if modulus else [], start, AT_ONCE)]
         todo = sorted(k for k in left if left[k] or k not in met)
         if not todo or not places:
             break
@@ -96,17 +97,25 @@ def sums_of(degrees: Sequence[int]) -> set[int]:
 
 def places_modulo(moduli: Sequence[Sequence[Exact]], start: int, count: int) -> list[tuple[int, tuple[int, ...]]]:
     """(prime, a root modulo it of each polynomial, given by its low coefficients), from the start-th on."""
-    lows = [[next(iter(terms_of(c, ()).values()), 0) for c in modulus] for modulus in moduli]
+    lows = [[_fraction(c) for c in modulus] for modulus in moduli]
     found: list[tuple[int, tuple[int, ...]]] = []
     p = LARGE
     while len(found) < start + count:
         p += 1
-        if any(p % d == 0 for d in range(2, int(p**0.5) + 1)) or any(c.denominator % p == 0 for low in lows for c in low):
+        if any(p % d == 0 for d in range(2, int(p**0.5) + 1)) or any(
+            c.denominator % p == 0 for low in lows for c in low
+        ):
             continue
-        roots = [next((x for x in range(p) if _value(low, x, p) == 0), None) for low in lows]
+        values = [[c.numerator * pow(c.denominator, -1, p) % p for c in low] for low in lows]
+        roots = [next((x for x in range(p) if _value(low, x, p) == 0), None) for low in values]
         if None not in roots:
             found.append((p, tuple(root for root in roots if root is not None)))
     return found[start:]
+
+
+def _fraction(number: Exact) -> Fraction:
+    """A rational number of the field."""
+    return Fraction(next(iter(terms_of(number, ()).values()), 0))
 
 
 def _value(low: Sequence[int], x: int, p: int) -> int:
