@@ -2,7 +2,7 @@
 
 Mechanism: four_bar, planar crank-rocker, one driven crank
 Effects: Gravity(acceleration=(0, 0, '-9.81'))
-Programs: 176356ac92aa5621
+Programs: 416ce4462ffa8daa
 Note: independent coordinates y: A
 Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
 Note: overconstrained: 3 internal loads are undetermined and take the minimum-norm values (moments
@@ -662,36 +662,35 @@ def closure_bias(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 36 (add 11, mul 18, trig 6, compare 1)
+    Operations: 34 (add 11, mul 16, trig 6, compare 1)
     """
     entries, batch = _entries("closure_bias", {"q": 3, "v": 3}, arguments)
     (
         A_q, B_q, D_q, A_v, B_v, D_v,
     ) = entries
     with np.errstate(all="ignore"):
-        # B: geometry
-        t1 = 0.9272952180016122 + B_q
-        coupler_cos = np.cos(t1)
-        crank_cos = np.cos(A_q)
-        t2 = 0.4899573262537283 - D_q  # D
-        rocker_cos = np.cos(t2)
-        t3 = 0.51 * (D_v * D_v)  # rocker
-        t4 = rocker_cos * t3  # rocker
-        t5 = crank_cos * t4  # C
-        crank_sin = np.sin(A_q)
-        t6 = np.sin(t2) * t3  # rocker
-        t8 = t5 - crank_sin * t6  # C
-        t9 = coupler_cos * t8  # C
-        coupler_sin = np.sin(t1)
-        t12 = crank_sin * t4 + crank_cos * t6  # C
-        t14 = t9 - coupler_sin * t12  # C
-        t15 = 0.15 * (A_v * A_v)  # crank
-        minus_coupler_acc_still_x = coupler_cos * t15
+        # coupler: velocities, eq. (6); loop closure; geometry
         coupler_omega_z = A_v + B_v
-        C_opening_bias_fx = t14 - (minus_coupler_acc_still_x + 0.5 * (coupler_omega_z * coupler_omega_z))
-        C_opening_bias_fy = coupler_sin * t15 - (coupler_sin * t8 + coupler_cos * t12)
+        t1 = 0.5 * (coupler_omega_z * coupler_omega_z)
+        t2 = 0.9272952180016122 + B_q  # B
+        coupler_sin = np.sin(t2)
+        crank_sin = np.sin(A_q)
+        t3 = 0.4899573262537283 - D_q  # D
+        rocker_cos = np.cos(t3)
+        t4 = 0.51 * (D_v * D_v)  # rocker
+        t5 = rocker_cos * t4  # rocker
+        t6 = crank_sin * t5  # C
+        crank_cos = np.cos(A_q)
+        t7 = np.sin(t3) * t4  # rocker
+        t9 = t6 + crank_cos * t7  # C
+        t10 = coupler_sin * t9  # C
+        coupler_cos = np.cos(t2)
+        t15 = 0.15 * (A_v * A_v) - (crank_cos * t5 - crank_sin * t7)  # C
+        minus_C_opening_bias_fx = t1 + (t10 + coupler_cos * t15)
+        C_opening_bias_fx = -minus_C_opening_bias_fx
+        C_opening_bias_fy = coupler_sin * t15 - coupler_cos * t9
         return _finish(batch, ((C_opening_bias_fx, C_opening_bias_fy, 0.0, 0.0, 0.0),), (),
-            (C_opening_bias_fx, C_opening_bias_fy))
+            (minus_C_opening_bias_fx, C_opening_bias_fy))
 
 
 def velocity(*arguments):
@@ -805,7 +804,7 @@ def acceleration(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 64 (add 20, mul 34, div 1, trig 6, compare 3)
+    Operations: 60 (add 19, mul 31, div 1, trig 6, compare 3)
     Note: independent coordinates y: A
     Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
     """
@@ -814,44 +813,42 @@ def acceleration(*arguments):
         A_q, B_q, D_q, A_v, B_v, D_v, A_y_ddot,
     ) = entries
     with np.errstate(all="ignore"):
-        # B: geometry; accelerations
-        t1 = 0.9272952180016122 + B_q
-        coupler_sin = np.sin(t1)
-        t2 = 0.15 * (A_v * A_v)  # crank
-        coupler_acc_still_y = coupler_sin * t2
-        crank_cos = np.cos(A_q)
-        t3 = 0.4899573262537283 - D_q  # D
-        rocker_cos = np.cos(t3)
-        t4 = 0.51 * (D_v * D_v)  # rocker
-        t5 = rocker_cos * t4  # rocker
-        t6 = crank_cos * t5  # C
+        # crank: geometry; accelerations
         crank_sin = np.sin(A_q)
-        minus_rocker_sin = np.sin(t3)
-        t7 = minus_rocker_sin * t4  # rocker
-        t9 = t6 - crank_sin * t7  # C
-        t10 = coupler_sin * t9  # C
+        t1 = 0.9272952180016122 + B_q  # B
+        coupler_sin = np.sin(t1)
+        t2 = crank_sin * coupler_sin  # coupler
+        crank_cos = np.cos(A_q)
         coupler_cos = np.cos(t1)
-        t13 = crank_sin * t5 + crank_cos * t7  # C
-        C_opening_bias_fy = coupler_acc_still_y - (t10 + coupler_cos * t13)
-        t18 = C_opening_bias_fy + (0.5 + 0.15 * coupler_cos) * A_y_ddot
-        minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
+        minus_coupler_rotation_xy = t2 - crank_cos * coupler_cos
+        t4 = 0.4899573262537283 - D_q  # D
+        rocker_cos = np.cos(t4)
         minus_rocker_joint_force_my_by_C_fz = 0.51 * rocker_cos
-        t21 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
+        t5 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
+        minus_rocker_sin = np.sin(t4)
         minus_rocker_joint_force_mx_by_C_fz = 0.51 * minus_rocker_sin
-        C_closure_fy_by_D = t21 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
-        t27 = coupler_cos * t9 - coupler_sin * t13  # C
-        minus_coupler_acc_still_x = coupler_cos * t2
+        C_closure_fy_by_D = t5 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
         coupler_omega_z = A_v + B_v
-        C_opening_bias_fx = t27 - (minus_coupler_acc_still_x + 0.5 * (coupler_omega_z * coupler_omega_z))
-        t31 = C_opening_bias_fx + 0.15 * coupler_sin * A_y_ddot  # D
-        t32 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
-        minus_C_closure_fx_by_D = t32 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
-        D_joint_acc = t31 / minus_C_closure_fx_by_D
-        minus_B_joint_acc = 2.0 * (t18 + C_closure_fy_by_D * D_joint_acc)
-        B_joint_acc = -minus_B_joint_acc
+        t9 = 0.5 * (coupler_omega_z * coupler_omega_z)  # coupler
+        t10 = 0.15 * (A_v * A_v)
+        t11 = 0.51 * (D_v * D_v)  # rocker
+        t12 = rocker_cos * t11  # rocker
+        t13 = crank_cos * t12  # D
+        t14 = minus_rocker_sin * t11  # rocker
+        t17 = t10 - (t13 - crank_sin * t14)  # D
+        t18 = coupler_cos * t17  # D
+        t21 = crank_sin * t12 + crank_cos * t14  # D
+        t26 = t9 + (t18 + coupler_sin * (t21 - 0.15 * A_y_ddot))  # D
+        t27 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
+        minus_C_closure_fx_by_D = t27 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
+        minus_D_joint_acc = t26 / minus_C_closure_fx_by_D
+        t29 = C_closure_fy_by_D * minus_D_joint_acc  # B
+        t31 = (0.5 + 0.15 * coupler_cos) * A_y_ddot  # B
+        B_joint_acc = 2.0 * (t29 - (t31 - (coupler_cos * t21 - coupler_sin * t17)))
+        D_joint_acc = -minus_D_joint_acc
         return _finish(batch, ((A_y_ddot, B_joint_acc, D_joint_acc),), ((minus_C_closure_fx_by_D,
-            3.01689e-10),), (minus_C_closure_fx_by_D, minus_B_joint_acc))
+            3.01689e-10),), (minus_C_closure_fx_by_D, B_joint_acc))
 
 
 def momentum_screws(*arguments):
@@ -873,7 +870,7 @@ def momentum_screws(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 99 (add 41, mul 51, trig 6, compare 1)
+    Operations: 89 (add 35, mul 47, trig 6, compare 1)
     """
     entries, batch = _entries("momentum_screws", {"q": 3, "v": 3}, arguments)
     (
@@ -899,39 +896,36 @@ def momentum_screws(*arguments):
         coupler_sin = np.sin(t9)
         coupler_rotation_xx = t10 + crank_cos * coupler_sin
         # coupler: momentum, eq. (31); geometry; velocities, eq. (6)
-        t12 = 0.8 * coupler_rotation_xx
+        t12 = 0.6 * coupler_rotation_xx
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
-        t16 = t12 - 0.6 * minus_coupler_rotation_xy
-        t18 = coupler_position_z - 0.15 * t16
-        t21 = 0.6 * coupler_rotation_xx + 0.8 * minus_coupler_rotation_xy
-        t25 = t18 - (0.2 * t21 - 0.3 * t16)
-        minus_coupler_momentum_px = 1.2 * (minus_coupler_twist_vx - coupler_omega_z * t25)
+        t16 = t12 + 0.8 * minus_coupler_rotation_xy
+        t17 = 0.2 * t16
+        t20 = 0.8 * coupler_rotation_xx - 0.6 * minus_coupler_rotation_xy
+        t23 = t17 - (coupler_position_z + 0.15 * t20)
+        minus_coupler_momentum_px = 1.2 * (minus_coupler_twist_vx + coupler_omega_z * t23)
         coupler_momentum_px = -minus_coupler_momentum_px
         coupler_position_x = 0.15 * crank_sin
         coupler_twist_vz = B_v * coupler_position_x
-        t33 = coupler_position_x - 0.15 * t21 + (0.2 * t16 + 0.3 * t21)
-        coupler_momentum_pz = 1.2 * (coupler_twist_vz - coupler_omega_z * t33)
-        minus_coupler_momentum_Ly = t25 * minus_coupler_momentum_px + t33 * coupler_momentum_pz - 0.025 * coupler_omega_z
-        coupler_momentum_Ly = -minus_coupler_momentum_Ly
-        t40 = 0.4899573262537283 - D_q  # D
+        t29 = 0.2 * t20 + (coupler_position_x + 0.15 * t16)
+        coupler_momentum_pz = 1.2 * (coupler_twist_vz - coupler_omega_z * t29)
+        coupler_momentum_Ly = 0.025 * coupler_omega_z + (t23 * minus_coupler_momentum_px - t29 * coupler_momentum_pz)
+        t36 = 0.4899573262537283 - D_q  # D
         # rocker: geometry
-        minus_rocker_sin = np.sin(t40)
+        minus_rocker_sin = np.sin(t36)
         # rocker: momentum, eq. (31); geometry
-        t41 = 0.8823529411764706 * minus_rocker_sin
-        rocker_cos = np.cos(t40)
-        t43 = t41 - 0.47058823529411764 * rocker_cos
-        t44 = 0.64 * t43
-        t45 = 0.52 * t43
-        t48 = 0.47058823529411764 * minus_rocker_sin + 0.8823529411764706 * rocker_cos
-        t51 = t44 - (t45 + 0.225 * t48)
-        minus_rocker_momentum_px = 1.2 * (D_v * t51)
-        rocker_momentum_px = -minus_rocker_momentum_px
-        t58 = 0.64 - 0.64 * t48 + (0.52 * t48 - 0.225 * t43)
-        rocker_momentum_pz = 1.2 * (D_v * (0.64 - t58))
-        rocker_momentum_Ly = 0.02601 * D_v + (t51 * minus_rocker_momentum_px - t58 * rocker_momentum_pz)
-        px_total = crank_momentum_px - minus_coupler_momentum_px - minus_rocker_momentum_px
+        t37 = 0.47058823529411764 * minus_rocker_sin
+        rocker_cos = np.cos(t36)
+        t39 = t37 + 0.8823529411764706 * rocker_cos
+        t40 = 0.225 * t39
+        t43 = 0.8823529411764706 * minus_rocker_sin - 0.47058823529411764 * rocker_cos
+        t45 = t40 - 0.12 * t43
+        rocker_momentum_px = 1.2 * (D_v * t45)
+        t50 = 0.225 * t43 - (0.64 - 0.12 * t39)
+        rocker_momentum_pz = 1.2 * (D_v * (0.64 + t50))
+        rocker_momentum_Ly = 0.02601 * D_v + (t45 * rocker_momentum_px + t50 * rocker_momentum_pz)
+        px_total = rocker_momentum_px + (crank_momentum_px - minus_coupler_momentum_px)
         pz_total = rocker_momentum_pz - (minus_crank_momentum_pz - coupler_momentum_pz)
-        Ly_total = crank_momentum_Ly - minus_coupler_momentum_Ly + rocker_momentum_Ly
+        Ly_total = rocker_momentum_Ly + (crank_momentum_Ly + coupler_momentum_Ly)
         return _finish(batch, ((crank_momentum_px, 0.0, crank_momentum_pz, 0.0, crank_momentum_Ly,
             0.0, coupler_momentum_px, 0.0, coupler_momentum_pz, 0.0, coupler_momentum_Ly, 0.0,
             rocker_momentum_px, 0.0, rocker_momentum_pz, 0.0, rocker_momentum_Ly, 0.0), (px_total,
@@ -956,7 +950,7 @@ def momentum_rates(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 140 (add 54, mul 79, trig 6, compare 1)
+    Operations: 131 (add 49, mul 75, trig 6, compare 1)
     """
     entries, batch = _entries("momentum_rates", {"q": 3, "v": 3, "a": 3}, arguments)
     (
@@ -985,59 +979,55 @@ def momentum_rates(*arguments):
         t16 = crank_sin * coupler_cos
         coupler_sin = np.sin(t15)
         coupler_rotation_xx = t16 + crank_cos * coupler_sin
-        t18 = 0.6 * coupler_rotation_xx
+        t18 = 0.8 * coupler_rotation_xx
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
-        t22 = t18 + 0.8 * minus_coupler_rotation_xy
-        t24 = coupler_position_x - 0.15 * t22
-        t27 = 0.8 * coupler_rotation_xx - 0.6 * minus_coupler_rotation_xy
-        t31 = t24 + (0.2 * t27 + 0.3 * t22)
-        coupler_momentum_pz = 1.2 * (coupler_twist_vz - coupler_omega_z * t31)
-        t34 = coupler_omega_z * coupler_momentum_pz
+        t22 = t18 - 0.6 * minus_coupler_rotation_xy
+        t23 = 0.2 * t22
+        t26 = 0.6 * coupler_rotation_xx + 0.8 * minus_coupler_rotation_xy
+        t29 = t23 + (coupler_position_x + 0.15 * t26)
+        coupler_momentum_pz = 1.2 * (coupler_twist_vz - coupler_omega_z * t29)
+        t32 = coupler_omega_z * coupler_momentum_pz
         coupler_position_z = 0.15 * crank_cos
         minus_coupler_twist_rate_vx = B_a * coupler_position_z - B_v * (A_v * coupler_position_x)
         coupler_twist_rate_wy = A_a + B_a
         # coupler: momentum rate, eq. (35); velocities, eq. (6); momentum, eq. (31)
-        t43 = coupler_position_z - 0.15 * t27 - (0.2 * t22 - 0.3 * t27)
-        t46 = 1.2 * (minus_coupler_twist_rate_vx - coupler_twist_rate_wy * t43)
-        coupler_rate_at_O_fx = t34 - t46
+        t39 = 0.2 * t26 - (coupler_position_z + 0.15 * t22)
+        t42 = 1.2 * (minus_coupler_twist_rate_vx + coupler_twist_rate_wy * t39)
+        coupler_rate_at_O_fx = t32 - t42
         minus_coupler_twist_vx = B_v * coupler_position_z
-        minus_coupler_momentum_px = 1.2 * (minus_coupler_twist_vx - coupler_omega_z * t43)
-        t49 = coupler_omega_z * minus_coupler_momentum_px
-        t54 = B_a * coupler_position_x + B_v * (A_v * coupler_position_z) - coupler_twist_rate_wy * t31
-        t55 = 1.2 * t54
-        coupler_rate_at_O_fz = t49 + t55
-        t58 = coupler_twist_vz * minus_coupler_momentum_px - minus_coupler_twist_vx * coupler_momentum_pz
-        minus_coupler_rate_at_O_my = t58 + (t43 * t46 + t31 * t55 - 0.025 * coupler_twist_rate_wy)
-        coupler_rate_at_O_my = -minus_coupler_rate_at_O_my
+        minus_coupler_momentum_px = 1.2 * (minus_coupler_twist_vx + coupler_omega_z * t39)
+        t45 = coupler_omega_z * minus_coupler_momentum_px
+        t50 = B_a * coupler_position_x + B_v * (A_v * coupler_position_z) - coupler_twist_rate_wy * t29
+        t51 = 1.2 * t50
+        coupler_rate_at_O_fz = t45 + t51
+        t56 = 0.025 * coupler_twist_rate_wy + (t39 * t42 - t29 * t51)
+        coupler_rate_at_O_my = t56 - (coupler_twist_vz * minus_coupler_momentum_px - minus_coupler_twist_vx * coupler_momentum_pz)
         # rocker: velocities, eq. (6); geometry; momentum, eq. (31)
         rocker_twist_vz = 0.64 * D_v
-        t64 = 0.4899573262537283 - D_q  # D
-        minus_rocker_sin = np.sin(t64)
-        t65 = 0.47058823529411764 * minus_rocker_sin
-        rocker_cos = np.cos(t64)
-        t67 = t65 + 0.8823529411764706 * rocker_cos
-        t69 = 0.64 - 0.64 * t67
-        t70 = 0.52 * t67
-        t73 = 0.8823529411764706 * minus_rocker_sin - 0.47058823529411764 * rocker_cos
-        t76 = t69 + (t70 - 0.225 * t73)
+        t60 = 0.4899573262537283 - D_q  # D
+        minus_rocker_sin = np.sin(t60)
+        t61 = 0.8823529411764706 * minus_rocker_sin
+        rocker_cos = np.cos(t60)
+        t63 = t61 - 0.47058823529411764 * rocker_cos
+        t64 = 0.225 * t63
+        t67 = 0.47058823529411764 * minus_rocker_sin + 0.8823529411764706 * rocker_cos
+        t70 = t64 - (0.64 - 0.12 * t67)
         # rocker: momentum rate, eq. (35); momentum, eq. (31)
-        t79 = D_v * (1.2 * (rocker_twist_vz - D_v * t76))
-        t84 = 0.64 * t73 - (0.52 * t73 + 0.225 * t67)
-        t86 = 1.2 * (D_a * t84)
-        rocker_rate_at_O_fx = t79 - t86
-        minus_rocker_momentum_px = 1.2 * (D_v * t84)
-        t88 = D_v * minus_rocker_momentum_px
-        t91 = 1.2 * (D_a * (0.64 - t76))
-        rocker_rate_at_O_fz = t88 + t91
-        t96 = 0.02601 * D_a + (t84 * t86 - t76 * t91)
-        rocker_rate_at_O_my = t96 - rocker_twist_vz * minus_rocker_momentum_px
+        t73 = D_v * (1.2 * (rocker_twist_vz + D_v * t70))
+        t76 = 0.225 * t67 - 0.12 * t63
+        t78 = 1.2 * (D_a * t76)
+        rocker_rate_at_O_fx = t73 + t78
+        t81 = 1.2 * (D_a * (0.64 + t70))
+        rocker_momentum_px = 1.2 * (D_v * t76)
+        rocker_rate_at_O_fz = t81 - D_v * rocker_momentum_px
+        t84 = rocker_twist_vz * rocker_momentum_px
+        rocker_rate_at_O_my = t84 + (0.02601 * D_a + (t76 * t78 + t70 * t81))
         return _finish(batch, ((crank_rate_at_O_fx, 0.0, crank_rate_at_O_fz, 0.0,
             crank_rate_at_O_my, 0.0, coupler_rate_at_O_fx, 0.0, coupler_rate_at_O_fz, 0.0,
             coupler_rate_at_O_my, 0.0, rocker_rate_at_O_fx, 0.0, rocker_rate_at_O_fz, 0.0,
             rocker_rate_at_O_my, 0.0),), (), (crank_rate_at_O_fx, minus_crank_rate_at_O_fz,
-            crank_rate_at_O_my, coupler_rate_at_O_fx, coupler_rate_at_O_fz,
-            minus_coupler_rate_at_O_my, rocker_rate_at_O_fx, rocker_rate_at_O_fz,
-            rocker_rate_at_O_my))
+            crank_rate_at_O_my, coupler_rate_at_O_fx, coupler_rate_at_O_fz, coupler_rate_at_O_my,
+            rocker_rate_at_O_fx, rocker_rate_at_O_fz, rocker_rate_at_O_my))
 
 
 def energy(*arguments):
@@ -1053,26 +1043,27 @@ def energy(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 35 (add 11, mul 18, trig 5, compare 1)
+    Operations: 33 (add 11, mul 16, trig 5, compare 1)
     """
     entries, batch = _entries("energy", {"q": 3, "v": 3}, arguments)
     (
         A_q, B_q, D_q, A_v, B_v, D_v,
     ) = entries
     with np.errstate(all="ignore"):
-        # rocker: energy
-        rocker_energy_kinetic_up_to = 0.03075 * (A_v * A_v) + 0.10404 * (D_v * D_v)
-        t2 = 0.9272952180016122 + B_q  # B
-        coupler_cos = np.cos(t2)
-        coupler_vel_y = coupler_cos * (0.15 * A_v)
+        # coupler: velocities, eq. (6); energy; geometry
         coupler_omega_z = A_v + B_v
-        t6 = rocker_energy_kinetic_up_to + coupler_vel_y * (0.6 * coupler_omega_z)  # coupler
-        kinetic_energy = 0.5 * (t6 + 0.1 * (coupler_omega_z * coupler_omega_z))
+        t1 = 0.1 * (coupler_omega_z * coupler_omega_z)
+        t2 = 0.10404 * (D_v * D_v)  # rocker
+        t3 = 0.03075 * A_v  # A
+        t4 = 0.9272952180016122 + B_q  # B
+        coupler_cos = np.cos(t4)
+        coupler_energy_kinetic_up_to = t1 + (t2 + A_v * (t3 + coupler_cos * (0.09 * coupler_omega_z)))
+        kinetic_energy = 0.5 * coupler_energy_kinetic_up_to
         crank_cos = np.cos(A_q)
-        t11 = 0.367875 * crank_cos + 3.00186 * np.cos(0.4899573262537283 - D_q)  # potential
-        t12 = 0.18 * crank_cos  # crank
-        t15 = 0.3 * (np.sin(A_q) * np.sin(t2) - crank_cos * coupler_cos)  # coupler
-        potential_energy = t11 + 9.81 * (t12 - t15)
+        t13 = 0.367875 * crank_cos + 3.00186 * np.cos(0.4899573262537283 - D_q)  # potential
+        t14 = 0.18 * crank_cos  # crank
+        t17 = 0.3 * (np.sin(A_q) * np.sin(t4) - crank_cos * coupler_cos)
+        potential_energy = t13 + 9.81 * (t14 - t17)
         return _finish(batch, ((kinetic_energy, potential_energy),), (), (kinetic_energy,
             potential_energy))
 
@@ -1088,17 +1079,16 @@ def mass_matrix(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 15 (add 9, mul 4, trig 1, compare 1)
+    Operations: 10 (add 6, mul 2, trig 1, compare 1)
     """
     entries, batch = _entries("mass_matrix", {"q": 3}, arguments)
     (
         A_q, B_q, D_q,
     ) = entries
     with np.errstate(all="ignore"):
-        # coupler: geometry; inertia
+        # coupler: geometry
         coupler_cos = np.cos(0.9272952180016122 + B_q)
-        t3 = coupler_cos * (0.1 * coupler_cos)
-        A_mass_matrix_by_A = 0.1 - t3 + (0.03075 + (t3 + 0.09 * coupler_cos))
+        A_mass_matrix_by_A = 0.09 * coupler_cos + 0.13075
         A_mass_matrix_by_B = 0.1 + 0.045 * coupler_cos
         return _finish(batch, ((A_mass_matrix_by_A, A_mass_matrix_by_B, 0.0, A_mass_matrix_by_B,
             0.1, 0.0, 0.0, 0.0, 0.10404),), (), (A_mass_matrix_by_A, A_mass_matrix_by_B, A_q, D_q))
@@ -1156,45 +1146,46 @@ def inverse_dynamics(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 71 (add 23, mul 38, div 1, trig 6, compare 3)
+    Operations: 70 (add 24, mul 36, div 1, trig 6, compare 3)
     """
     entries, batch = _entries("inverse_dynamics", {"q": 3, "v": 3, "a": 3}, arguments)
     (
         A_q, B_q, D_q, A_v, B_v, D_v, A_a, B_a, D_a,
     ) = entries
     with np.errstate(all="ignore"):
-        # B: geometry
-        t1 = 0.9272952180016122 + B_q
-        coupler_sin = np.sin(t1)
-        crank_lever_mz_by_C_fx = 0.15 * coupler_sin
-        t2 = 0.4899573262537283 - D_q  # D
-        minus_rocker_sin = np.sin(t2)
-        rocker_rate_mz_2 = 3.00186 * minus_rocker_sin + 0.10404 * D_a
-        minus_rocker_joint_force_my_by_C_fz = 0.51 * np.cos(t2)
+        # crank: geometry; momentum rate, eq. (35)
         crank_sin = np.sin(A_q)
+        minus_crank_rate_mz_2 = 2.133675 * crank_sin - 0.03075 * A_a
+        t2 = 0.9272952180016122 + B_q  # B
+        # coupler: geometry; accelerations; momentum rate, eq. (35)
+        coupler_cos = np.cos(t2)
         coupler_twist_rate_wy = A_a + B_a
-        t4 = 0.1 * coupler_twist_rate_wy  # coupler
-        t5 = 0.15 * (A_v * A_v)  # crank
+        t3 = 0.1 * coupler_twist_rate_wy
+        coupler_sin = np.sin(t2)
+        t4 = 0.15 * (A_v * A_v)  # crank
         crank_cos = np.cos(A_q)
-        t7 = coupler_sin * (t5 - 9.81 * crank_cos)  # coupler
-        coupler_cos = np.cos(t1)
-        t11 = 0.3 * (t7 + coupler_cos * (0.15 * A_a - 9.81 * crank_sin))  # coupler
-        C_multiplier_fy = 2.0 * (t4 + t11)
-        t12 = coupler_sin * C_multiplier_fy  # rocker
-        t13 = crank_sin * t12  # rocker
-        t14 = coupler_cos * C_multiplier_fy  # rocker
-        t17 = minus_rocker_joint_force_my_by_C_fz * (t13 - crank_cos * t14)  # rocker
-        minus_rocker_joint_force_mx_by_C_fz = 0.51 * minus_rocker_sin
-        rocker_joint_force_mz = rocker_rate_mz_2 - (t17 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * t12 + crank_sin * t14))
-        t25 = (crank_sin * coupler_cos + crank_cos * coupler_sin) * minus_rocker_joint_force_my_by_C_fz  # C
-        minus_C_closure_fx_by_D = t25 - (crank_sin * coupler_sin - crank_cos * coupler_cos) * minus_rocker_joint_force_mx_by_C_fz
-        t29 = crank_lever_mz_by_C_fx * (rocker_joint_force_mz / minus_C_closure_fx_by_D)  # A
+        t6 = coupler_sin * (t4 - 9.81 * crank_cos)
+        t10 = 0.3 * (t6 + coupler_cos * (0.15 * A_a - 9.81 * crank_sin))
+        C_multiplier_fy = 2.0 * (t3 + t10)
+        t11 = coupler_cos * C_multiplier_fy  # A
         coupler_omega_z = A_v + B_v
-        minus_crank_force_y = coupler_sin * (0.3 * (coupler_omega_z * coupler_omega_z))
-        t32 = 0.15 * (minus_crank_force_y - coupler_cos * (0.3 * coupler_twist_rate_wy) + t14)  # crank
-        A_balance = t29 - (t32 + (2.133675 * crank_sin - 0.03075 * A_a))
+        t15 = 0.3 * (coupler_sin * (coupler_omega_z * coupler_omega_z) - coupler_cos * coupler_twist_rate_wy)
+        t16 = t11 + t15  # A
+        t17 = 0.4899573262537283 - D_q  # D
+        minus_rocker_sin = np.sin(t17)
+        rocker_rate_mz_2 = 3.00186 * minus_rocker_sin + 0.10404 * D_a
+        minus_rocker_joint_force_my_by_C_fz = 0.51 * np.cos(t17)
+        t19 = coupler_sin * C_multiplier_fy  # rocker
+        t23 = minus_rocker_joint_force_my_by_C_fz * (crank_sin * t19 - crank_cos * t11)  # rocker
+        minus_rocker_joint_force_mx_by_C_fz = 0.51 * minus_rocker_sin
+        rocker_joint_force_mz = rocker_rate_mz_2 - (t23 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * t19 + crank_sin * t11))
+        t29 = coupler_sin * rocker_joint_force_mz  # A
+        t32 = (crank_sin * coupler_cos + crank_cos * coupler_sin) * minus_rocker_joint_force_my_by_C_fz  # C
+        minus_C_closure_fx_by_D = t32 - (crank_sin * coupler_sin - crank_cos * coupler_cos) * minus_rocker_joint_force_mx_by_C_fz
+        minus_A_balance = minus_crank_rate_mz_2 + 0.15 * (t16 - t29 / minus_C_closure_fx_by_D)
+        A_balance = -minus_A_balance
         return _finish(batch, ((A_balance,),), ((minus_C_closure_fx_by_D, 5.057800000000001e-10),),
-            (minus_C_closure_fx_by_D, A_balance, D_v))
+            (minus_C_closure_fx_by_D, minus_A_balance, D_v))
 
 
 def inverse_dynamics_independent(*arguments):
@@ -1214,7 +1205,7 @@ def inverse_dynamics_independent(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 112 (add 35, mul 67, div 1, trig 6, compare 3)
+    Operations: 108 (add 34, mul 64, div 1, trig 6, compare 3)
     """
     entries, batch = _entries("inverse_dynamics_independent", {"q": 3, "y_dot": 1, "y_ddot": 1}, arguments)
     (
@@ -1241,40 +1232,39 @@ def inverse_dynamics_independent(*arguments):
         t9 = 1.0 / minus_C_closure_fx_by_D  # C
         rocker_rate_mz = 3.00186 * minus_rocker_sin
         t10 = crank_lever_mz_by_C_fx * A_y_ddot  # D
-        D_joint_rate = crank_lever_mz_by_C_fx * A_y_dot * t9
-        t12 = 0.51 * (D_joint_rate * D_joint_rate)  # rocker
-        t13 = rocker_cos * t12  # rocker
-        t14 = crank_cos * t13  # C
-        t15 = minus_rocker_sin * t12  # rocker
-        t17 = t14 - crank_sin * t15  # C
-        t18 = coupler_cos * t17  # C
-        t21 = crank_sin * t13 + crank_cos * t15  # C
-        t23 = t18 - coupler_sin * t21  # C
-        t24 = 0.15 * (A_y_dot * A_y_dot)  # crank
-        minus_coupler_acc_still_x = coupler_cos * t24
         crank_lever_mz_by_C_fy = 0.5 + 0.15 * coupler_cos
-        t26 = crank_lever_mz_by_C_fy * A_y_dot
-        t27 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
-        C_closure_fy_by_D = t27 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
-        coupler_omega_z = A_y_dot - 2.0 * (t26 + C_closure_fy_by_D * D_joint_rate)
+        t12 = crank_lever_mz_by_C_fy * A_y_dot
+        t13 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
+        C_closure_fy_by_D = t13 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
+        D_joint_rate = crank_lever_mz_by_C_fx * A_y_dot * t9
+        coupler_omega_z = A_y_dot - 2.0 * (t12 + C_closure_fy_by_D * D_joint_rate)
         minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z
-        D_joint_acc = t9 * (t10 + (t23 - (minus_coupler_acc_still_x + 0.5 * minus_coupler_U_still_xx)))
-        rocker_rate_mz_2 = rocker_rate_mz + 0.10404 * D_joint_acc
-        t35 = crank_lever_mz_by_C_fy * A_y_ddot
-        t39 = t35 + (coupler_sin * t24 - (coupler_sin * t17 + coupler_cos * t21))
-        coupler_alpha_z = A_y_ddot - 2.0 * (t39 + C_closure_fy_by_D * D_joint_acc)
-        t42 = 0.1 * coupler_alpha_z  # coupler
-        t44 = coupler_sin * (9.81 * crank_cos - t24)  # coupler
-        t48 = 0.3 * (t44 + coupler_cos * (9.81 * crank_sin - 0.15 * A_y_ddot))  # coupler
-        C_multiplier_fy = 2.0 * (t42 - t48)
-        t49 = coupler_sin * C_multiplier_fy  # rocker
-        t50 = crank_sin * t49  # rocker
-        t51 = coupler_cos * C_multiplier_fy  # rocker
-        t54 = minus_rocker_joint_force_my_by_C_fz * (t50 - crank_cos * t51)  # rocker
-        rocker_joint_force_mz = rocker_rate_mz_2 - (t54 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * t49 + crank_sin * t51))
-        t60 = crank_lever_mz_by_C_fx * (t9 * rocker_joint_force_mz)  # A
-        t62 = coupler_sin * (0.3 * minus_coupler_U_still_xx) - coupler_cos * (0.3 * coupler_alpha_z) + t51  # crank
-        A_balance = t60 - (0.15 * t62 + (2.133675 * crank_sin - 0.03075 * A_y_ddot))
+        t18 = 0.5 * minus_coupler_U_still_xx  # coupler
+        t19 = 0.51 * (D_joint_rate * D_joint_rate)  # rocker
+        t20 = rocker_cos * t19  # rocker
+        t21 = crank_sin * t20  # D
+        t22 = minus_rocker_sin * t19  # rocker
+        t24 = t21 + crank_cos * t22  # D
+        t25 = coupler_sin * t24  # D
+        t26 = 0.15 * (A_y_dot * A_y_dot)  # crank
+        t30 = t26 - (crank_cos * t20 - crank_sin * t22)  # D
+        D_joint_acc = t9 * (t10 - (t18 + (t25 + coupler_cos * t30)))
+        t36 = rocker_rate_mz + 0.10404 * D_joint_acc  # rocker
+        t38 = coupler_sin * (9.81 * crank_cos - t26)  # coupler
+        t42 = 0.3 * (t38 + coupler_cos * (9.81 * crank_sin - 0.15 * A_y_ddot))  # coupler
+        t43 = C_closure_fy_by_D * D_joint_acc
+        t49 = t43 + (crank_lever_mz_by_C_fy * A_y_ddot - (coupler_cos * t24 - coupler_sin * t30))
+        coupler_alpha_z = A_y_ddot - 2.0 * t49
+        minus_C_multiplier_fy = 2.0 * (t42 - 0.1 * coupler_alpha_z)
+        t51 = coupler_sin * minus_C_multiplier_fy  # rocker
+        t52 = crank_sin * t51  # rocker
+        t53 = coupler_cos * minus_C_multiplier_fy  # rocker
+        t56 = minus_rocker_joint_force_my_by_C_fz * (t52 - crank_cos * t53)  # rocker
+        rocker_joint_force_mz = t36 + (t56 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * t51 + crank_sin * t53))
+        t62 = crank_lever_mz_by_C_fx * (t9 * rocker_joint_force_mz)  # A
+        minus_crank_rate_mz_2 = 2.133675 * crank_sin - 0.03075 * A_y_ddot
+        t69 = 0.15 * (t53 - 0.3 * (coupler_sin * minus_coupler_U_still_xx - coupler_cos * coupler_alpha_z))  # A
+        A_balance = t62 - (minus_crank_rate_mz_2 - t69)
         return _finish(batch, ((A_balance,),), ((minus_C_closure_fx_by_D, 5.057800000000001e-10),),
             (minus_C_closure_fx_by_D, A_balance))
 
@@ -1301,7 +1291,7 @@ def joint_reactions(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 248 (add 100, mul 130, div 3, trig 6, compare 9)
+    Operations: 233 (add 92, mul 123, div 3, trig 6, compare 9)
     Note: overconstrained: 3 internal loads are undetermined and take the minimum-norm values (moments
       divided by the characteristic length 0.301689 m); not unique: C.fy, C.mx, C.mz, B.fy, B.mx, B.mz,
       D.fy, D.mx, D.mz, A.fy, A.mx, A.mz
@@ -1311,78 +1301,80 @@ def joint_reactions(*arguments):
         A_q, B_q, D_q, A_v, B_v, D_v, A_a, B_a, D_a,
     ) = entries
     with np.errstate(all="ignore"):
-        # B: geometry; reactions, eq. (32)
-        t1 = 0.9272952180016122 + B_q
-        coupler_sin = np.sin(t1)
-        crank_lever_mz_by_C_fx = 0.15 * coupler_sin
-        t2 = 0.4899573262537283 - D_q  # D
-        minus_rocker_sin = np.sin(t2)
-        rocker_rate_mz_2 = 3.00186 * minus_rocker_sin + 0.10404 * D_a
-        rocker_cos = np.cos(t2)
-        minus_rocker_joint_force_my_by_C_fz = 0.51 * rocker_cos
+        # crank: geometry; momentum rate, eq. (35)
         crank_sin = np.sin(A_q)
+        minus_crank_rate_mz_2 = 2.133675 * crank_sin - 0.03075 * A_a
+        t2 = 0.9272952180016122 + B_q  # B
+        # coupler: geometry; momentum rate, eq. (35); accelerations
+        coupler_sin = np.sin(t2)
+        coupler_omega_z = A_v + B_v
+        minus_coupler_rate_fx = 0.3 * (coupler_omega_z * coupler_omega_z)
+        minus_crank_force_y = coupler_sin * minus_coupler_rate_fx
+        coupler_cos = np.cos(t2)
         coupler_twist_rate_wy = A_a + B_a
-        t4 = 0.1 * coupler_twist_rate_wy  # coupler
+        coupler_rate_fy = 0.3 * coupler_twist_rate_wy
+        minus_coupler_joint_force_fy = minus_crank_force_y - coupler_cos * coupler_rate_fy
+        t4 = 0.1 * coupler_twist_rate_wy
         minus_crank_U_still_xx = A_v * A_v
         t5 = 0.15 * minus_crank_U_still_xx  # crank
         crank_cos = np.cos(A_q)
         t6 = t5 - 9.81 * crank_cos  # crank
-        t7 = coupler_sin * t6  # coupler
-        coupler_cos = np.cos(t1)
-        t9 = 0.15 * A_a - 9.81 * crank_sin  # coupler
+        t7 = coupler_sin * t6
+        t9 = 0.15 * A_a - 9.81 * crank_sin
         coupler_acc_y = t7 + coupler_cos * t9
         C_multiplier_fy = 2.0 * (t4 + 0.3 * coupler_acc_y)
-        t12 = coupler_sin * C_multiplier_fy  # rocker
-        t13 = crank_sin * t12  # rocker
-        t14 = coupler_cos * C_multiplier_fy  # rocker
-        t17 = minus_rocker_joint_force_my_by_C_fz * (t13 - crank_cos * t14)  # rocker
+        t12 = coupler_cos * C_multiplier_fy  # A
+        t13 = minus_coupler_joint_force_fy + t12  # A
+        t14 = 0.4899573262537283 - D_q  # D
+        # rocker: geometry; momentum rate, eq. (35); balance, eqs. (40)-(47)
+        minus_rocker_sin = np.sin(t14)
+        rocker_rate_mz_2 = 3.00186 * minus_rocker_sin + 0.10404 * D_a
+        rocker_cos = np.cos(t14)
+        minus_rocker_joint_force_my_by_C_fz = 0.51 * rocker_cos
+        t16 = coupler_sin * C_multiplier_fy
+        t20 = minus_rocker_joint_force_my_by_C_fz * (crank_sin * t16 - crank_cos * t12)
         minus_rocker_joint_force_mx_by_C_fz = 0.51 * minus_rocker_sin
-        rocker_joint_force_mz = rocker_rate_mz_2 - (t17 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * t12 + crank_sin * t14))
+        rocker_joint_force_mz = rocker_rate_mz_2 - (t20 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * t16 + crank_sin * t12))
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
-        t25 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
+        t28 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
-        minus_C_closure_fx_by_D = t25 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
+        minus_C_closure_fx_by_D = t28 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
         minus_C_multiplier_fx = rocker_joint_force_mz / minus_C_closure_fx_by_D
-        t29 = crank_lever_mz_by_C_fx * minus_C_multiplier_fx  # A
-        coupler_omega_z = A_v + B_v
-        minus_coupler_rate_fx = 0.3 * (coupler_omega_z * coupler_omega_z)
-        minus_crank_force_y = coupler_sin * minus_coupler_rate_fx
-        coupler_rate_fy = 0.3 * coupler_twist_rate_wy
-        t32 = 0.15 * (minus_crank_force_y - coupler_cos * coupler_rate_fy + t14)  # crank
-        A_balance = t29 - (t32 + (2.133675 * crank_sin - 0.03075 * A_a))
+        t32 = coupler_sin * minus_C_multiplier_fx  # A
+        minus_A_balance = minus_crank_rate_mz_2 + 0.15 * (t13 - t32)
+        A_balance = -minus_A_balance
         coupler_sent_fx = minus_C_multiplier_fx - (minus_coupler_rate_fx + 1.2 * (coupler_cos * t6 - coupler_sin * t9))
-        t37 = coupler_cos * coupler_sent_fx  # coupler
+        t38 = coupler_cos * coupler_sent_fx  # coupler
         minus_coupler_sent_fy = C_multiplier_fy - (coupler_rate_fy + 1.2 * coupler_acc_y)
-        coupler_joint_sent_fx = t37 + coupler_sin * minus_coupler_sent_fy
+        coupler_joint_sent_fx = t38 + coupler_sin * minus_coupler_sent_fy
         crank_sent_fx = coupler_joint_sent_fx + (4.905 * crank_cos - 0.0375 * minus_crank_U_still_xx)
-        t42 = crank_sin * crank_sent_fx  # crank
+        t43 = crank_sin * crank_sent_fx  # crank
         coupler_joint_sent_fy = coupler_sin * coupler_sent_fx - coupler_cos * minus_coupler_sent_fy
         crank_sent_fy = coupler_joint_sent_fy - (4.905 * crank_sin - 0.0375 * A_a)
-        crank_joint_sent_fy = t42 + crank_cos * crank_sent_fy
+        crank_joint_sent_fy = t43 + crank_cos * crank_sent_fy
         crank_joint_sent_fx = crank_cos * crank_sent_fx - crank_sin * crank_sent_fy
         B_reaction_fx = crank_sin * coupler_joint_sent_fx + crank_cos * coupler_joint_sent_fy
         B_reaction_fz = crank_cos * coupler_joint_sent_fx - crank_sin * coupler_joint_sent_fy
         coupler_position_z = 0.15 * crank_cos
-        t54 = coupler_position_z * B_reaction_fx
+        t55 = coupler_position_z * B_reaction_fx  # B
         coupler_position_x = 0.15 * crank_sin
-        B_reaction_my = t54 - coupler_position_x * B_reaction_fz
+        B_reaction_my = t55 - coupler_position_x * B_reaction_fz
         C_reaction_fx = coupler_rotation_xx * minus_C_multiplier_fx + minus_coupler_rotation_xy * C_multiplier_fy
         minus_C_reaction_fz = minus_coupler_rotation_xy * minus_C_multiplier_fx - coupler_rotation_xx * C_multiplier_fy
         C_reaction_fz = -minus_C_reaction_fz
-        t62 = (coupler_position_z - 0.5 * minus_coupler_rotation_xy) * C_reaction_fx  # C
-        C_reaction_my = t62 + (coupler_position_x + 0.5 * coupler_rotation_xx) * minus_C_reaction_fz
-        # rocker: momentum rate, eq. (35)
+        t63 = (coupler_position_z - 0.5 * minus_coupler_rotation_xy) * C_reaction_fx  # C
+        C_reaction_my = t63 + (coupler_position_x + 0.5 * coupler_rotation_xx) * minus_C_reaction_fz
         minus_rocker_rate_fx_2 = 0.306 * (D_v * D_v) - 11.772 * rocker_cos
         # rocker: balance, eqs. (40)-(47); momentum rate, eq. (35); pivots
-        t67 = minus_rocker_sin * minus_rocker_rate_fx_2
+        t68 = minus_rocker_sin * minus_rocker_rate_fx_2
         rocker_rate_fy_2 = 0.306 * D_a + 11.772 * minus_rocker_sin
-        t70 = t67 + rocker_cos * rocker_rate_fy_2
-        t72 = t12 + coupler_cos * minus_C_multiplier_fx
-        t73 = crank_sin * t72
-        t75 = t14 - coupler_sin * minus_C_multiplier_fx
-        rocker_joint_sent_fy = t70 - (t73 - crank_cos * t75)
+        t71 = t68 + rocker_cos * rocker_rate_fy_2
+        t73 = t16 + coupler_cos * minus_C_multiplier_fx
+        t74 = crank_sin * t73
+        t75 = t12 - t32  # A
+        rocker_joint_sent_fy = t71 - (t74 - crank_cos * t75)
         t80 = rocker_cos * minus_rocker_rate_fx_2 - minus_rocker_sin * rocker_rate_fy_2
-        minus_rocker_joint_sent_fx = t80 + (crank_cos * t72 + crank_sin * t75)
+        minus_rocker_joint_sent_fx = t80 + (crank_cos * t73 + crank_sin * t75)
         rocker_joint_sent_fx = -minus_rocker_joint_sent_fx
         D_reaction_my = 0.64 * minus_rocker_joint_sent_fx
         t84 = 1.6573358657425363 * coupler_sin  # coupler
@@ -1397,40 +1389,42 @@ def joint_reactions(*arguments):
         t98 = crank_cos * crank_lever_mx_by_C_fz  # crank
         minus_crank_lever_my_by_C_fz = 0.15 + 0.5 * coupler_cos
         t100 = 3.3146717314850727 * (t98 + crank_sin * minus_crank_lever_my_by_C_fz)  # base
-        t102 = t97 + t100 * t100  # mechanism
+        # mechanism: pivots
+        t102 = t97 + t100 * t100
         t105 = 3.3146717314850727 * (crank_sin * crank_lever_mx_by_C_fz - crank_cos * minus_crank_lever_my_by_C_fz)  # base
         pivot_0 = t102 + t105 * t105
+        t107 = 3.3146717314850727 * minus_coupler_rotation_xy  # coupler
+        t108 = t91 - t100
+        t109 = t107 * t108
         # coupler: pivots
-        t107 = 3.3146717314850727 * coupler_rotation_xx
-        t108 = t107 * t107
-        t109 = 3.3146717314850727 * minus_coupler_rotation_xy
-        t110 = t109 * t109
-        t111 = 3.3146717314850727 * coupler_cos
-        t112 = t111 * t111
-        t113 = 10.987048687506249 + t112
-        t114 = 3.3146717314850727 * coupler_sin
-        t115 = t114 * t114
-        t120 = t108 + (t110 + (t113 + t115 + t110 + t108))
-        # mechanism: pivots
-        t125 = t84 * t111 - t87 * t114 + t91 * t109
-        t131 = t125 - t94 * t107 - t100 * t109 + t105 * t107
-        t132 = 1.0 / pivot_0
-        pivot_1 = t120 - t131 * (t131 * t132)
-        t140 = t110 + (t108 + (t110 + (t108 + (t112 + (10.987048687506249 + t115)))))  # coupler
-        t145 = t84 * t114 + t87 * t111 - t91 * t107
-        t151 = t145 - t94 * t109 + t100 * t107 + t105 * t109
-        t152 = t151 * t132
-        t153 = t151 * t152
-        t154 = t131 * t152
-        pivot_2 = t140 - (t153 + t154 * (t154 / pivot_1))
+        t110 = 3.3146717314850727 * coupler_rotation_xx
+        t111 = t94 - t105  # mechanism
+        t113 = t109 - t110 * t111  # mechanism
+        t114 = 1.0 / pivot_0  # mechanism
+        t116 = t113 * (t114 * t113)  # mechanism
+        t117 = 3.3146717314850727 * coupler_cos
+        t118 = t117 * t117
+        t119 = 10.987048687506249 + t118
+        t120 = 3.3146717314850727 * coupler_sin
+        t121 = t120 * t120
+        t122 = t119 + t121
+        t126 = 2.0 * (t107 * t107 + t110 * t110)
+        minus_pivot_1 = t116 - (t122 + t126)
+        t130 = t118 + (10.987048687506249 + t121) + t126
+        t131 = t107 * t111  # mechanism
+        t137 = t131 - (t84 * t120 + t87 * t117 - t110 * t108)  # mechanism
+        t138 = t114 * t137  # mechanism
+        t139 = t137 * t138  # mechanism
+        t140 = t113 * t138  # mechanism
+        pivot_2 = t130 - (t139 - t140 * (t140 / minus_pivot_1))
         return _finish(batch, ((A_balance,), (crank_joint_sent_fy, 0.0, crank_joint_sent_fx, 0.0,
             0.0, 0.0, B_reaction_fx, 0.0, B_reaction_fz, 0.0, B_reaction_my, 0.0, C_reaction_fx,
             0.0, C_reaction_fz, 0.0, C_reaction_my, 0.0, rocker_joint_sent_fy, 0.0,
             rocker_joint_sent_fx, 0.0, D_reaction_my, 0.0)), ((minus_C_closure_fx_by_D,
-            5.057800000000001e-10), (pivot_0, 1.3789999999999998e-08), (pivot_1,
+            5.057800000000001e-10), (pivot_0, 1.3789999999999998e-08), (minus_pivot_1,
             4.3948000000000004e-08), (pivot_2, 4.3948000000000004e-08)), (minus_C_closure_fx_by_D,
-            A_balance, crank_joint_sent_fy, crank_joint_sent_fx, B_reaction_my, C_reaction_my,
-            rocker_joint_sent_fy, D_reaction_my, pivot_0, pivot_1, pivot_2))
+            minus_A_balance, crank_joint_sent_fy, crank_joint_sent_fx, B_reaction_my, C_reaction_my,
+            rocker_joint_sent_fy, D_reaction_my, pivot_0, minus_pivot_1, pivot_2))
 
 
 def _forward_dynamics_first(*arguments):
@@ -1440,67 +1434,64 @@ def _forward_dynamics_first(*arguments):
         A_q, B_q, D_q, A_v, B_v, D_v, A_u,
     ) = entries
     with np.errstate(all="ignore"):
-        # crank: geometry; momentum rate, eq. (35); accelerations
-        crank_sin = np.sin(A_q)
-        minus_crank_rate_mz = 2.133675 * crank_sin
-        t1 = 0.9272952180016122 + B_q  # B
+        # B: geometry; rates that follow; accelerations
+        t1 = 0.9272952180016122 + B_q
         coupler_sin = np.sin(t1)
-        t2 = 0.15 * (A_v * A_v)
-        crank_cos = np.cos(A_q)
-        t4 = coupler_sin * (t2 - 9.81 * crank_cos)  # coupler
+        crank_lever_mz_by_C_fx = 0.15 * coupler_sin
+        crank_sin = np.sin(A_q)
         coupler_cos = np.cos(t1)
-        coupler_rate_mz = 0.3 * (t4 - coupler_cos * (9.81 * crank_sin))
-        coupler_acc_still_y_2 = coupler_sin * t2
-        t6 = 0.4899573262537283 - D_q  # D
-        rocker_cos = np.cos(t6)
-        t7 = 0.51 * (D_v * D_v)  # rocker
-        t8 = rocker_cos * t7  # rocker
-        t9 = crank_cos * t8  # C
-        minus_rocker_sin = np.sin(t6)
-        t10 = minus_rocker_sin * t7  # rocker
-        t12 = t9 - crank_sin * t10  # C
-        t13 = coupler_sin * t12  # C
-        t16 = crank_sin * t8 + crank_cos * t10  # C
-        C_opening_bias_fy = coupler_acc_still_y_2 - (t13 + coupler_cos * t16)
-        minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
+        t2 = crank_sin * coupler_cos  # coupler
+        crank_cos = np.cos(A_q)
+        coupler_rotation_xx = t2 + crank_cos * coupler_sin
+        t4 = 0.4899573262537283 - D_q  # D
+        rocker_cos = np.cos(t4)
         minus_rocker_joint_force_my_by_C_fz = 0.51 * rocker_cos
-        t21 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
-        coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
+        t5 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
+        minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
+        minus_rocker_sin = np.sin(t4)
         minus_rocker_joint_force_mx_by_C_fz = 0.51 * minus_rocker_sin
-        C_closure_fy_by_D = t21 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
-        t27 = coupler_cos * t12 - coupler_sin * t16  # C
-        minus_coupler_acc_still_x = coupler_cos * t2
+        minus_C_closure_fx_by_D = t5 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
+        t9 = 1.0 / minus_C_closure_fx_by_D  # C
+        D_null_space_by_A = crank_lever_mz_by_C_fx * t9
+        rocker_rate_mz = 3.00186 * minus_rocker_sin
         coupler_omega_z = A_v + B_v
         minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z
-        C_opening_bias_fx = t27 - (minus_coupler_acc_still_x + 0.5 * minus_coupler_U_still_xx)
-        t30 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
-        minus_C_closure_fx_by_D = t30 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
-        t32 = 1.0 / minus_C_closure_fx_by_D  # C
-        D_joint_acc_still = C_opening_bias_fx * t32
-        t34 = C_opening_bias_fy + C_closure_fy_by_D * D_joint_acc_still  # coupler
-        coupler_rate_mz_2 = coupler_rate_mz - 0.2 * t34
-        t37 = 0.15 * (coupler_sin * (0.3 * minus_coupler_U_still_xx) + coupler_cos * (0.6 * t34))
-        minus_A_generalised_force = A_u + (minus_crank_rate_mz - (coupler_rate_mz_2 - t37))
+        t10 = 0.5 * minus_coupler_U_still_xx  # coupler
+        t11 = 0.51 * (D_v * D_v)  # rocker
+        t12 = rocker_cos * t11  # rocker
+        t13 = crank_sin * t12  # C
+        t14 = minus_rocker_sin * t11  # rocker
+        t16 = t13 + crank_cos * t14  # C
+        t17 = coupler_sin * t16  # C
+        t18 = 0.15 * (A_v * A_v)  # crank
+        t22 = t18 - (crank_cos * t12 - crank_sin * t14)  # C
+        minus_D_joint_acc_still = t9 * (t10 + (t17 + coupler_cos * t22))
+        t26 = D_null_space_by_A * (rocker_rate_mz - 0.10404 * minus_D_joint_acc_still)  # A
         crank_lever_mz_by_C_fy = 0.5 + 0.15 * coupler_cos
-        D_null_space_by_A = 0.15 * coupler_sin * t32
-        t41 = crank_lever_mz_by_C_fy + C_closure_fy_by_D * D_null_space_by_A  # B
-        minus_B_null_space_by_A = 2.0 * t41
-        # A: free motion; inertia; accelerations
-        t43 = minus_A_generalised_force + minus_B_null_space_by_A * coupler_rate_mz_2
-        A_reduced_force = t43 - D_null_space_by_A * (3.00186 * minus_rocker_sin + 0.10404 * D_joint_acc_still)
-        t47 = coupler_cos * (0.1 * coupler_cos)  # coupler
-        A_mass_matrix_by_A = 0.1 - t47 + (0.03075 + (t47 + 0.09 * coupler_cos))
+        t28 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
+        C_closure_fy_by_D = t28 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
+        t31 = crank_lever_mz_by_C_fy + C_closure_fy_by_D * D_null_space_by_A
+        minus_B_null_space_by_A = 2.0 * t31
+        coupler_acc_still_y = coupler_sin * (t18 - 9.81 * crank_cos) - coupler_cos * (9.81 * crank_sin)
+        coupler_rate_mz = 0.3 * coupler_acc_still_y
+        t39 = C_closure_fy_by_D * minus_D_joint_acc_still + (coupler_cos * t16 - coupler_sin * t22)  # coupler
+        coupler_rate_mz_2 = coupler_rate_mz + 0.2 * t39
+        t41 = minus_B_null_space_by_A * coupler_rate_mz_2  # A
+        minus_crank_rate_mz = 2.133675 * crank_sin
+        t43 = 0.15 * (coupler_sin * (0.3 * minus_coupler_U_still_xx) - coupler_cos * (0.6 * t39))  # crank
+        minus_A_reduced_force = t26 - (t41 + (A_u + (minus_crank_rate_mz - (coupler_rate_mz_2 - t43))))
+        t49 = D_null_space_by_A * (0.10404 * D_null_space_by_A)  # D
         A_mass_matrix_by_B = 0.1 + 0.045 * coupler_cos
-        t52 = A_mass_matrix_by_A - minus_B_null_space_by_A * A_mass_matrix_by_B
-        t56 = t52 - minus_B_null_space_by_A * (A_mass_matrix_by_B - 0.2 * t41)
-        A_reduced_inertia_by_A = t56 + D_null_space_by_A * (0.10404 * D_null_space_by_A)
-        A_joint_acc = A_reduced_force / A_reduced_inertia_by_A
-        minus_B_joint_acc = 2.0 * t34 + minus_B_null_space_by_A * A_joint_acc
-        B_joint_acc = -minus_B_joint_acc
-        D_joint_acc = D_joint_acc_still + D_null_space_by_A * A_joint_acc
+        t54 = minus_B_null_space_by_A * (A_mass_matrix_by_B + (A_mass_matrix_by_B - 0.2 * t31))  # A
+        A_reduced_inertia_by_A = t49 - (t54 - (0.09 * coupler_cos + 0.13075))
+        minus_A_joint_acc = minus_A_reduced_force / A_reduced_inertia_by_A
+        A_joint_acc = -minus_A_joint_acc
+        B_joint_acc = 2.0 * t39 + minus_B_null_space_by_A * minus_A_joint_acc
+        minus_D_joint_acc = minus_D_joint_acc_still + D_null_space_by_A * minus_A_joint_acc
+        D_joint_acc = -minus_D_joint_acc
         return _finish(batch, ((A_joint_acc, B_joint_acc, D_joint_acc),), ((minus_C_closure_fx_by_D,
             3.01689e-06), (A_reduced_inertia_by_A, 3.264600000000001e-07)),
-            (minus_C_closure_fx_by_D, A_reduced_inertia_by_A, minus_B_joint_acc, D_joint_acc))
+            (minus_C_closure_fx_by_D, A_reduced_inertia_by_A, B_joint_acc, minus_D_joint_acc))
 
 
 def _forward_dynamics_dense(*arguments):
@@ -1513,53 +1504,54 @@ def _forward_dynamics_dense(*arguments):
         # B: geometry
         t1 = 0.9272952180016122 + B_q
         coupler_cos = np.cos(t1)
-        t3 = coupler_cos * (0.1 * coupler_cos)  # coupler
-        A_mass_matrix_by_A = 0.1 - t3 + (0.03075 + (t3 + 0.09 * coupler_cos))
+        A_mass_matrix_by_A = 0.09 * coupler_cos + 0.13075
         A_mass_matrix_by_B = 0.1 + 0.045 * coupler_cos
         crank_sin = np.sin(A_q)
         minus_crank_rate_mz = 2.133675 * crank_sin
         coupler_sin = np.sin(t1)
-        t7 = 0.15 * (A_v * A_v)  # crank
+        t4 = 0.15 * (A_v * A_v)  # crank
         crank_cos = np.cos(A_q)
-        coupler_acc_still_y = coupler_sin * (t7 - 9.81 * crank_cos) - coupler_cos * (9.81 * crank_sin)
+        coupler_acc_still_y = coupler_sin * (t4 - 9.81 * crank_cos) - coupler_cos * (9.81 * crank_sin)
         coupler_rate_mz = 0.3 * coupler_acc_still_y
         coupler_omega_z = A_v + B_v
         minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z
         minus_crank_moment_z = minus_crank_rate_mz - (coupler_rate_mz - 0.15 * (coupler_sin * (0.3 * minus_coupler_U_still_xx)))
         minus_A_generalised_force = minus_crank_moment_z + A_u
         minus_coupler_rate_mz = -coupler_rate_mz
-        t13 = 0.4899573262537283 - D_q  # D
-        minus_rocker_sin = np.sin(t13)
+        t10 = 0.4899573262537283 - D_q  # D
+        minus_rocker_sin = np.sin(t10)
         rocker_rate_mz = 3.00186 * minus_rocker_sin
         minus_rocker_rate_mz = -rocker_rate_mz
         crank_lever_mz_by_C_fx = 0.15 * coupler_sin
         crank_lever_mz_by_C_fy = 0.5 + 0.15 * coupler_cos
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
         minus_rocker_joint_force_mx_by_C_fz = 0.51 * minus_rocker_sin
-        t17 = minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz  # C
+        t14 = minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz  # C
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
-        rocker_cos = np.cos(t13)
+        rocker_cos = np.cos(t10)
         minus_rocker_joint_force_my_by_C_fz = 0.51 * rocker_cos
         # C: loop closure
-        C_closure_fx_by_D = t17 - coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz
-        t21 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz
-        C_closure_fy_by_D = t21 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
-        t23 = 0.51 * (D_v * D_v)  # rocker
-        t24 = rocker_cos * t23  # rocker
-        t25 = crank_cos * t24
-        t26 = minus_rocker_sin * t23  # rocker
-        t28 = t25 - crank_sin * t26
-        t29 = coupler_cos * t28
-        t32 = crank_sin * t24 + crank_cos * t26
-        C_opening_bias_fx = t29 - coupler_sin * t32 - (coupler_cos * t7 + 0.5 * minus_coupler_U_still_xx)
-        C_opening_bias_fy = coupler_sin * t7 - (coupler_sin * t28 + coupler_cos * t32)
+        C_closure_fx_by_D = t14 - coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz
+        t18 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz
+        C_closure_fy_by_D = t18 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
+        t20 = 0.5 * minus_coupler_U_still_xx  # coupler
+        t21 = 0.51 * (D_v * D_v)  # rocker
+        t22 = rocker_cos * t21  # rocker
+        t23 = crank_sin * t22
+        t24 = minus_rocker_sin * t21  # rocker
+        t26 = t23 + crank_cos * t24
+        t27 = coupler_sin * t26
+        t31 = t4 - (crank_cos * t22 - crank_sin * t24)
+        minus_C_opening_bias_fx = t20 + (t27 + coupler_cos * t31)
+        C_opening_bias_fx = -minus_C_opening_bias_fx
+        C_opening_bias_fy = coupler_sin * t31 - coupler_cos * t26
         return _finish(batch, ((A_mass_matrix_by_A, A_mass_matrix_by_B, 0.0, A_mass_matrix_by_B,
             0.1, 0.0, 0.0, 0.0, 0.10404), (minus_A_generalised_force, minus_coupler_rate_mz,
             minus_rocker_rate_mz), (crank_lever_mz_by_C_fx, crank_lever_mz_by_C_fy, 0.0, 0.0, 0.0,
             0.0, 0.5, 0.0, 0.0, 0.0, C_closure_fx_by_D, C_closure_fy_by_D, 0.0, 0.0, 0.0),
             (C_opening_bias_fx, C_opening_bias_fy, 0.0, 0.0, 0.0)), (), (A_mass_matrix_by_A,
             A_mass_matrix_by_B, minus_A_generalised_force, rocker_rate_mz, crank_lever_mz_by_C_fx,
-            crank_lever_mz_by_C_fy, C_closure_fx_by_D, C_closure_fy_by_D, C_opening_bias_fx,
+            crank_lever_mz_by_C_fy, C_closure_fx_by_D, C_closure_fy_by_D, minus_C_opening_bias_fx,
             C_opening_bias_fy))
 
 
@@ -1582,7 +1574,7 @@ def forward_dynamics(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations where no pivot is small: 118 (add 42, mul 63, div 2, trig 6, compare 5)
+    Operations where no pivot is small: 110 (add 39, mul 58, div 2, trig 6, compare 5)
     """
     settings = ((1.0, 1.0, 1.0,), (3.3146717314850727, 3.3146717314850727, 3.3146717314850727, 1.0, 1.0,), 2, 1.0e-09)
     return _rank_revealing(_forward_dynamics_first, _forward_dynamics_dense, None, arguments, *settings)
@@ -1605,74 +1597,70 @@ def forward_dynamics_independent(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 117 (add 39, mul 65, div 2, trig 6, compare 5)
+    Operations: 109 (add 36, mul 60, div 2, trig 6, compare 5)
     """
     entries, batch = _entries("forward_dynamics_independent", {"q": 3, "y_dot": 1, "u": 1}, arguments)
     (
         A_q, B_q, D_q, A_y_dot, A_u,
     ) = entries
     with np.errstate(all="ignore"):
-        # crank: geometry; momentum rate, eq. (35); accelerations
-        crank_sin = np.sin(A_q)
-        minus_crank_rate_mz = 2.133675 * crank_sin
-        t1 = 0.9272952180016122 + B_q  # B
+        # B: geometry; velocities, eq. (6); rates that follow
+        t1 = 0.9272952180016122 + B_q
         coupler_sin = np.sin(t1)
-        t2 = 0.15 * (A_y_dot * A_y_dot)
-        coupler_acc_still_y = coupler_sin * t2
-        crank_cos = np.cos(A_q)
-        t3 = 0.4899573262537283 - D_q  # D
-        rocker_cos = np.cos(t3)
         crank_lever_mz_by_C_fx = 0.15 * coupler_sin
-        t4 = crank_lever_mz_by_C_fx * A_y_dot  # D
+        crank_sin = np.sin(A_q)
         coupler_cos = np.cos(t1)
-        coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
+        t2 = crank_sin * coupler_cos  # coupler
+        crank_cos = np.cos(A_q)
+        coupler_rotation_xx = t2 + crank_cos * coupler_sin
+        t4 = 0.4899573262537283 - D_q  # D
+        rocker_cos = np.cos(t4)
         minus_rocker_joint_force_my_by_C_fz = 0.51 * rocker_cos
-        t7 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
+        t5 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
-        minus_rocker_sin = np.sin(t3)
+        minus_rocker_sin = np.sin(t4)
         minus_rocker_joint_force_mx_by_C_fz = 0.51 * minus_rocker_sin
-        # C: loop closure; velocities, eq. (6)
-        minus_C_closure_fx_by_D = t7 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
-        t11 = 1.0 / minus_C_closure_fx_by_D
-        D_joint_rate = t4 * t11
-        t12 = 0.51 * (D_joint_rate * D_joint_rate)  # rocker
-        t13 = rocker_cos * t12  # rocker
-        t14 = crank_cos * t13
-        t15 = minus_rocker_sin * t12  # rocker
-        t17 = t14 - crank_sin * t15
-        t18 = coupler_sin * t17
-        t21 = crank_sin * t13 + crank_cos * t15
-        C_opening_bias_fy = coupler_acc_still_y - (t18 + coupler_cos * t21)
-        t24 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz
-        C_closure_fy_by_D = t24 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
-        t28 = coupler_cos * t17 - coupler_sin * t21
-        minus_coupler_acc_still_x = coupler_cos * t2
+        minus_C_closure_fx_by_D = t5 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
+        t9 = 1.0 / minus_C_closure_fx_by_D  # C
+        D_null_space_by_A = crank_lever_mz_by_C_fx * t9
+        rocker_rate_mz = 3.00186 * minus_rocker_sin
         crank_lever_mz_by_C_fy = 0.5 + 0.15 * coupler_cos
-        coupler_omega_z = A_y_dot - 2.0 * (crank_lever_mz_by_C_fy * A_y_dot + C_closure_fy_by_D * D_joint_rate)
+        t11 = crank_lever_mz_by_C_fy * A_y_dot
+        t12 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
+        C_closure_fy_by_D = t12 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
+        D_joint_rate = crank_lever_mz_by_C_fx * A_y_dot * t9
+        coupler_omega_z = A_y_dot - 2.0 * (t11 + C_closure_fy_by_D * D_joint_rate)
         minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z
-        D_joint_acc_still = t11 * (t28 - (minus_coupler_acc_still_x + 0.5 * minus_coupler_U_still_xx))
-        t36 = C_opening_bias_fy + C_closure_fy_by_D * D_joint_acc_still  # coupler
-        t37 = 0.2 * t36  # coupler
-        minus_coupler_acc_y = coupler_cos * (9.81 * crank_sin) + coupler_sin * (9.81 * crank_cos - t2)
-        minus_coupler_rate_mz_2 = t37 + 0.3 * minus_coupler_acc_y
-        t42 = 0.15 * (coupler_sin * (0.3 * minus_coupler_U_still_xx) + coupler_cos * (0.6 * t36))  # crank
-        # A: free motion; inertia; accelerations
-        minus_A_generalised_force = A_u + (minus_crank_rate_mz + (minus_coupler_rate_mz_2 + t42))
-        D_null_space_by_A = crank_lever_mz_by_C_fx * t11
-        t45 = crank_lever_mz_by_C_fy + C_closure_fy_by_D * D_null_space_by_A  # B
-        minus_B_null_space_by_A = 2.0 * t45
-        t47 = minus_A_generalised_force - minus_B_null_space_by_A * minus_coupler_rate_mz_2
-        A_reduced_force = t47 - D_null_space_by_A * (3.00186 * minus_rocker_sin + 0.10404 * D_joint_acc_still)
-        t51 = coupler_cos * (0.1 * coupler_cos)  # coupler
-        A_mass_matrix_by_A = 0.1 - t51 + (0.03075 + (t51 + 0.09 * coupler_cos))
+        t17 = 0.5 * minus_coupler_U_still_xx  # coupler
+        t18 = 0.51 * (D_joint_rate * D_joint_rate)  # rocker
+        t19 = rocker_cos * t18  # rocker
+        t20 = crank_sin * t19  # C
+        t21 = minus_rocker_sin * t18  # rocker
+        t23 = t20 + crank_cos * t21  # C
+        t24 = coupler_sin * t23  # C
+        t25 = 0.15 * (A_y_dot * A_y_dot)  # crank
+        t29 = t25 - (crank_cos * t19 - crank_sin * t21)  # C
+        minus_D_joint_acc_still = t9 * (t17 + (t24 + coupler_cos * t29))
+        t33 = D_null_space_by_A * (rocker_rate_mz - 0.10404 * minus_D_joint_acc_still)  # A
+        t35 = crank_lever_mz_by_C_fy + C_closure_fy_by_D * D_null_space_by_A
+        minus_B_null_space_by_A = 2.0 * t35
+        minus_coupler_acc_y = coupler_cos * (9.81 * crank_sin) + coupler_sin * (9.81 * crank_cos - t25)
+        minus_coupler_rate_mz = 0.3 * minus_coupler_acc_y
+        t43 = C_closure_fy_by_D * minus_D_joint_acc_still + (coupler_cos * t23 - coupler_sin * t29)  # coupler
+        minus_coupler_rate_mz_2 = minus_coupler_rate_mz - 0.2 * t43
+        t45 = minus_B_null_space_by_A * minus_coupler_rate_mz_2  # A
+        minus_crank_rate_mz = 2.133675 * crank_sin
+        t47 = 0.15 * (coupler_sin * (0.3 * minus_coupler_U_still_xx) - coupler_cos * (0.6 * t43))  # crank
+        minus_A_reduced_force = t33 + (t45 - (A_u + (minus_crank_rate_mz + (minus_coupler_rate_mz_2 + t47))))
+        t53 = D_null_space_by_A * (0.10404 * D_null_space_by_A)  # D
         A_mass_matrix_by_B = 0.1 + 0.045 * coupler_cos
-        t56 = A_mass_matrix_by_A - minus_B_null_space_by_A * A_mass_matrix_by_B
-        t60 = t56 - minus_B_null_space_by_A * (A_mass_matrix_by_B - 0.2 * t45)
-        A_reduced_inertia_by_A = t60 + D_null_space_by_A * (0.10404 * D_null_space_by_A)
-        A_joint_acc = A_reduced_force / A_reduced_inertia_by_A
+        t58 = minus_B_null_space_by_A * (A_mass_matrix_by_B + (A_mass_matrix_by_B - 0.2 * t35))  # A
+        A_reduced_inertia_by_A = t53 - (t58 - (0.09 * coupler_cos + 0.13075))
+        minus_A_joint_acc = minus_A_reduced_force / A_reduced_inertia_by_A
+        A_joint_acc = -minus_A_joint_acc
         return _finish(batch, ((A_joint_acc,),), ((minus_C_closure_fx_by_D, 3.01689e-10),
             (A_reduced_inertia_by_A, 3.2646e-11)), (minus_C_closure_fx_by_D, A_reduced_inertia_by_A,
-            A_joint_acc))
+            minus_A_joint_acc))
 
 
 def _forward_dynamics_reactions_first(*arguments):
@@ -1682,166 +1670,164 @@ def _forward_dynamics_reactions_first(*arguments):
         A_q, B_q, D_q, A_v, B_v, D_v, A_u,
     ) = entries
     with np.errstate(all="ignore"):
-        # crank: geometry; accelerations; balance, eqs. (40)-(47)
-        crank_sin = np.sin(A_q)
-        minus_crank_rate_mz = 2.133675 * crank_sin
-        t1 = 0.9272952180016122 + B_q  # B
+        # B: geometry; rates that follow
+        t1 = 0.9272952180016122 + B_q
         coupler_sin = np.sin(t1)
-        minus_crank_U_still_xx = A_v * A_v
-        t2 = 0.15 * minus_crank_U_still_xx
-        crank_cos = np.cos(A_q)
-        t3 = t2 - 9.81 * crank_cos
-        t4 = coupler_sin * t3  # coupler
+        crank_lever_mz_by_C_fx = 0.15 * coupler_sin
+        crank_sin = np.sin(A_q)
         coupler_cos = np.cos(t1)
-        minus_crank_acc_y = 9.81 * crank_sin
-        coupler_rate_mz = 0.3 * (t4 - coupler_cos * minus_crank_acc_y)
-        coupler_acc_still_y_2 = coupler_sin * t2
-        t6 = 0.4899573262537283 - D_q  # D
-        rocker_cos = np.cos(t6)
-        minus_rocker_U_still_xx = D_v * D_v
-        t7 = 0.51 * minus_rocker_U_still_xx  # rocker
-        t8 = rocker_cos * t7  # rocker
-        t9 = crank_cos * t8  # C
-        minus_rocker_sin = np.sin(t6)
-        t10 = minus_rocker_sin * t7  # rocker
-        t12 = t9 - crank_sin * t10  # C
-        t13 = coupler_sin * t12  # C
-        t16 = crank_sin * t8 + crank_cos * t10  # C
-        C_opening_bias_fy = coupler_acc_still_y_2 - (t13 + coupler_cos * t16)
-        minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
+        t2 = crank_sin * coupler_cos  # coupler
+        crank_cos = np.cos(A_q)
+        coupler_rotation_xx = t2 + crank_cos * coupler_sin
+        t4 = 0.4899573262537283 - D_q  # D
+        rocker_cos = np.cos(t4)
         minus_rocker_joint_force_my_by_C_fz = 0.51 * rocker_cos
-        t21 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
-        coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
+        t5 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
+        minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
+        minus_rocker_sin = np.sin(t4)
         minus_rocker_joint_force_mx_by_C_fz = 0.51 * minus_rocker_sin
-        C_closure_fy_by_D = t21 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
-        t27 = coupler_cos * t12 - coupler_sin * t16  # C
-        minus_coupler_acc_still_x = coupler_cos * t2
+        minus_C_closure_fx_by_D = t5 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
+        t9 = 1.0 / minus_C_closure_fx_by_D  # C
+        D_null_space_by_A = crank_lever_mz_by_C_fx * t9
+        rocker_rate_mz = 3.00186 * minus_rocker_sin
         coupler_omega_z = A_v + B_v
         minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z
-        C_opening_bias_fx = t27 - (minus_coupler_acc_still_x + 0.5 * minus_coupler_U_still_xx)
-        t30 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
-        minus_C_closure_fx_by_D = t30 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
-        t32 = 1.0 / minus_C_closure_fx_by_D  # C
-        D_joint_acc_still = C_opening_bias_fx * t32
-        t34 = C_opening_bias_fy + C_closure_fy_by_D * D_joint_acc_still  # coupler
-        coupler_rate_mz_2 = coupler_rate_mz - 0.2 * t34
+        t10 = 0.5 * minus_coupler_U_still_xx  # coupler
+        minus_rocker_U_still_xx = D_v * D_v
+        t11 = 0.51 * minus_rocker_U_still_xx  # rocker
+        t12 = rocker_cos * t11  # rocker
+        t13 = crank_sin * t12  # C
+        t14 = minus_rocker_sin * t11  # rocker
+        t16 = t13 + crank_cos * t14  # C
+        t17 = coupler_sin * t16  # C
+        minus_crank_U_still_xx = A_v * A_v
+        t18 = 0.15 * minus_crank_U_still_xx  # crank
+        t22 = t18 - (crank_cos * t12 - crank_sin * t14)  # C
+        minus_D_joint_acc_still = t9 * (t10 + (t17 + coupler_cos * t22))
+        t26 = D_null_space_by_A * (rocker_rate_mz - 0.10404 * minus_D_joint_acc_still)  # A
+        crank_lever_mz_by_C_fy = 0.5 + 0.15 * coupler_cos
+        t28 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
+        C_closure_fy_by_D = t28 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
+        t31 = crank_lever_mz_by_C_fy + C_closure_fy_by_D * D_null_space_by_A
+        minus_B_null_space_by_A = 2.0 * t31
+        t32 = t18 - 9.81 * crank_cos  # crank
+        t33 = coupler_sin * t32  # coupler
+        minus_crank_acc_y = 9.81 * crank_sin
+        coupler_rate_mz = 0.3 * (t33 - coupler_cos * minus_crank_acc_y)
+        t39 = C_closure_fy_by_D * minus_D_joint_acc_still + (coupler_cos * t16 - coupler_sin * t22)  # coupler
+        coupler_rate_mz_2 = coupler_rate_mz + 0.2 * t39
+        # A: free motion; inertia; accelerations
+        t41 = minus_B_null_space_by_A * coupler_rate_mz_2
+        minus_crank_rate_mz = 2.133675 * crank_sin
         minus_coupler_rate_fx = 0.3 * minus_coupler_U_still_xx
         minus_crank_force_y = coupler_sin * minus_coupler_rate_fx
-        minus_crank_moment_z = minus_crank_rate_mz - (coupler_rate_mz_2 - 0.15 * (minus_crank_force_y + coupler_cos * (0.6 * t34)))
-        minus_A_generalised_force = A_u + minus_crank_moment_z
-        crank_lever_mz_by_C_fy = 0.5 + 0.15 * coupler_cos
-        crank_lever_mz_by_C_fx = 0.15 * coupler_sin
-        D_null_space_by_A = crank_lever_mz_by_C_fx * t32
-        t41 = crank_lever_mz_by_C_fy + C_closure_fy_by_D * D_null_space_by_A  # B
-        minus_B_null_space_by_A = 2.0 * t41
-        # A: free motion; inertia; accelerations
-        t43 = minus_A_generalised_force + minus_B_null_space_by_A * coupler_rate_mz_2
-        A_reduced_force = t43 - D_null_space_by_A * (3.00186 * minus_rocker_sin + 0.10404 * D_joint_acc_still)
-        t47 = coupler_cos * (0.1 * coupler_cos)  # coupler
-        A_mass_matrix_by_A = 0.1 - t47 + (0.03075 + (t47 + 0.09 * coupler_cos))
+        t45 = minus_crank_rate_mz - (coupler_rate_mz_2 - 0.15 * (minus_crank_force_y - coupler_cos * (0.6 * t39)))
+        minus_A_reduced_force = t26 - (t41 + (A_u + t45))
+        t49 = D_null_space_by_A * (0.10404 * D_null_space_by_A)  # D
         A_mass_matrix_by_B = 0.1 + 0.045 * coupler_cos
-        t52 = A_mass_matrix_by_A - minus_B_null_space_by_A * A_mass_matrix_by_B
-        t56 = t52 - minus_B_null_space_by_A * (A_mass_matrix_by_B - 0.2 * t41)
-        A_reduced_inertia_by_A = t56 + D_null_space_by_A * (0.10404 * D_null_space_by_A)
-        A_joint_acc = A_reduced_force / A_reduced_inertia_by_A
-        minus_B_joint_acc = 2.0 * t34 + minus_B_null_space_by_A * A_joint_acc
-        B_joint_acc = -minus_B_joint_acc
-        D_joint_acc = D_joint_acc_still + D_null_space_by_A * A_joint_acc
+        t54 = minus_B_null_space_by_A * (A_mass_matrix_by_B + (A_mass_matrix_by_B - 0.2 * t31))
+        A_reduced_inertia_by_A = t49 - (t54 - (0.09 * coupler_cos + 0.13075))
+        minus_A_joint_acc = minus_A_reduced_force / A_reduced_inertia_by_A
+        A_joint_acc = -minus_A_joint_acc
+        B_joint_acc = 2.0 * t39 + minus_B_null_space_by_A * minus_A_joint_acc
+        minus_D_joint_acc = minus_D_joint_acc_still + D_null_space_by_A * minus_A_joint_acc
+        D_joint_acc = -minus_D_joint_acc
         crank_rate_fx = 4.905 * crank_cos - 0.0375 * minus_crank_U_still_xx
         # coupler: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
-        coupler_alpha_z = A_joint_acc - minus_B_joint_acc
-        t63 = 0.1 * coupler_alpha_z
-        t65 = minus_crank_acc_y - 0.15 * A_joint_acc
-        coupler_acc_y = t4 - coupler_cos * t65
-        C_multiplier_fy = 2.0 * (t63 + 0.3 * coupler_acc_y)
-        coupler_rate_fy = 0.3 * coupler_alpha_z
-        minus_coupler_sent_fy = C_multiplier_fy - (coupler_rate_fy + 1.2 * coupler_acc_y)
-        t69 = coupler_sin * minus_coupler_sent_fy
-        minus_coupler_rate_fx_2 = minus_coupler_rate_fx + 1.2 * (coupler_cos * t3 + coupler_sin * t65)
-        minus_coupler_joint_force_fy = minus_crank_force_y - coupler_cos * coupler_rate_fy
-        t74 = coupler_cos * C_multiplier_fy  # crank
-        t78 = A_u + (0.15 * (minus_coupler_joint_force_fy + t74) + (minus_crank_rate_mz - 0.03075 * A_joint_acc))  # C
-        minus_C_multiplier_fx = t78 / crank_lever_mz_by_C_fx
-        minus_coupler_sent_fx = minus_coupler_rate_fx_2 - minus_C_multiplier_fx
-        coupler_joint_sent_fx = t69 - coupler_cos * minus_coupler_sent_fx
+        minus_coupler_alpha_z = minus_A_joint_acc - B_joint_acc
+        t62 = 0.1 * minus_coupler_alpha_z
+        t64 = minus_crank_acc_y + 0.15 * minus_A_joint_acc
+        coupler_acc_y = t33 - coupler_cos * t64
+        minus_C_multiplier_fy = 2.0 * (t62 - 0.3 * coupler_acc_y)
+        t67 = coupler_cos * minus_C_multiplier_fy  # crank
+        minus_coupler_rate_fy = 0.3 * minus_coupler_alpha_z
+        t71 = 0.15 * (t67 - (minus_crank_force_y + coupler_cos * minus_coupler_rate_fy))  # crank
+        minus_C_multiplier_fx = (A_u - (t71 - (minus_crank_rate_mz + 0.03075 * minus_A_joint_acc))) / crank_lever_mz_by_C_fx
+        coupler_sent_fx = minus_C_multiplier_fx - (minus_coupler_rate_fx + 1.2 * (coupler_cos * t32 + coupler_sin * t64))
+        t79 = coupler_cos * coupler_sent_fx
+        coupler_sent_fy = minus_C_multiplier_fy - (minus_coupler_rate_fy - 1.2 * coupler_acc_y)
+        coupler_joint_sent_fx = t79 - coupler_sin * coupler_sent_fy
         crank_sent_fx = crank_rate_fx + coupler_joint_sent_fx
-        t80 = crank_sin * crank_sent_fx  # crank
-        minus_crank_rate_fy = 4.905 * crank_sin - 0.0375 * A_joint_acc
-        minus_coupler_joint_sent_fy = coupler_cos * minus_coupler_sent_fy + coupler_sin * minus_coupler_sent_fx
-        minus_crank_sent_fy = minus_crank_rate_fy + minus_coupler_joint_sent_fy
-        crank_joint_sent_fy = t80 - crank_cos * minus_crank_sent_fy
-        crank_joint_sent_fx = crank_cos * crank_sent_fx + crank_sin * minus_crank_sent_fy
-        B_reaction_fx = crank_sin * coupler_joint_sent_fx - crank_cos * minus_coupler_joint_sent_fy
-        B_reaction_fz = crank_cos * coupler_joint_sent_fx + crank_sin * minus_coupler_joint_sent_fy
+        t83 = crank_sin * crank_sent_fx  # crank
+        coupler_joint_sent_fy = coupler_sin * coupler_sent_fx + coupler_cos * coupler_sent_fy
+        crank_sent_fy = coupler_joint_sent_fy - (4.905 * crank_sin + 0.0375 * minus_A_joint_acc)
+        crank_joint_sent_fy = t83 + crank_cos * crank_sent_fy
+        crank_joint_sent_fx = crank_cos * crank_sent_fx - crank_sin * crank_sent_fy
+        B_reaction_fx = crank_sin * coupler_joint_sent_fx + crank_cos * coupler_joint_sent_fy
+        B_reaction_fz = crank_cos * coupler_joint_sent_fx - crank_sin * coupler_joint_sent_fy
         coupler_position_z = 0.15 * crank_cos
-        t92 = coupler_position_z * B_reaction_fx  # B
+        t96 = coupler_position_z * B_reaction_fx  # B
         coupler_position_x = 0.15 * crank_sin
-        B_reaction_my = t92 - coupler_position_x * B_reaction_fz
-        C_reaction_fx = minus_coupler_rotation_xy * C_multiplier_fy + coupler_rotation_xx * minus_C_multiplier_fx
-        C_reaction_fz = coupler_rotation_xx * C_multiplier_fy - minus_coupler_rotation_xy * minus_C_multiplier_fx
-        t100 = (coupler_position_z - 0.5 * minus_coupler_rotation_xy) * C_reaction_fx  # C
-        C_reaction_my = t100 - (coupler_position_x + 0.5 * coupler_rotation_xx) * C_reaction_fz
+        B_reaction_my = t96 - coupler_position_x * B_reaction_fz
+        C_reaction_fx = coupler_rotation_xx * minus_C_multiplier_fx - minus_coupler_rotation_xy * minus_C_multiplier_fy
+        minus_C_reaction_fz = minus_coupler_rotation_xy * minus_C_multiplier_fx + coupler_rotation_xx * minus_C_multiplier_fy
+        C_reaction_fz = -minus_C_reaction_fz
+        t104 = (coupler_position_z - 0.5 * minus_coupler_rotation_xy) * C_reaction_fx  # C
+        C_reaction_my = t104 + (coupler_position_x + 0.5 * coupler_rotation_xx) * minus_C_reaction_fz
         # rocker: momentum rate, eq. (35)
         minus_rocker_rate_fx_2 = 0.306 * minus_rocker_U_still_xx - 11.772 * rocker_cos
         # rocker: balance, eqs. (40)-(47); momentum rate, eq. (35); pivots
-        t105 = minus_rocker_sin * minus_rocker_rate_fx_2
-        rocker_rate_fy_2 = 11.772 * minus_rocker_sin + 0.306 * D_joint_acc
-        t108 = t105 + rocker_cos * rocker_rate_fy_2
-        t111 = coupler_sin * C_multiplier_fy + coupler_cos * minus_C_multiplier_fx
-        t112 = crank_sin * t111
-        t114 = t74 - coupler_sin * minus_C_multiplier_fx
-        rocker_joint_sent_fy = t108 - (t112 - crank_cos * t114)
-        t119 = rocker_cos * minus_rocker_rate_fx_2 - minus_rocker_sin * rocker_rate_fy_2
-        minus_rocker_joint_sent_fx = t119 + (crank_cos * t111 + crank_sin * t114)
+        t109 = minus_rocker_sin * minus_rocker_rate_fx_2
+        rocker_rate_fy = 11.772 * minus_rocker_sin - 0.306 * minus_D_joint_acc
+        t112 = t109 + rocker_cos * rocker_rate_fy
+        t115 = coupler_sin * minus_C_multiplier_fy - coupler_cos * minus_C_multiplier_fx
+        t116 = crank_sin * t115
+        t118 = t67 + coupler_sin * minus_C_multiplier_fx
+        rocker_joint_sent_fy = t112 + (t116 - crank_cos * t118)
+        t123 = rocker_cos * minus_rocker_rate_fx_2 - minus_rocker_sin * rocker_rate_fy
+        minus_rocker_joint_sent_fx = t123 - (crank_cos * t115 + crank_sin * t118)
         rocker_joint_sent_fx = -minus_rocker_joint_sent_fx
         D_reaction_my = 0.64 * minus_rocker_joint_sent_fx
-        t123 = 1.6573358657425363 * coupler_sin  # coupler
-        t125 = 2.0 + t123 * t123  # coupler
-        t126 = 1.6573358657425363 * coupler_cos  # coupler
-        t129 = 1.0 + (t125 + t126 * t126)  # coupler
-        t130 = 1.690482583057387 * minus_rocker_sin
-        t132 = t129 + t130 * t130  # mechanism
-        t133 = 1.690482583057387 * rocker_cos
-        t136 = 1.0 + (t132 + t133 * t133)  # mechanism
+        t127 = 1.6573358657425363 * coupler_sin  # coupler
+        t129 = 2.0 + t127 * t127  # coupler
+        t130 = 1.6573358657425363 * coupler_cos  # coupler
+        t133 = 1.0 + (t129 + t130 * t130)  # coupler
+        t134 = 1.690482583057387 * minus_rocker_sin
+        t136 = t133 + t134 * t134  # mechanism
+        t137 = 1.690482583057387 * rocker_cos
+        t140 = 1.0 + (t136 + t137 * t137)  # mechanism
         crank_lever_mx_by_C_fz = 0.5 * coupler_sin
-        t137 = crank_cos * crank_lever_mx_by_C_fz  # crank
+        t141 = crank_cos * crank_lever_mx_by_C_fz  # crank
         minus_crank_lever_my_by_C_fz = 0.15 + 0.5 * coupler_cos
-        t139 = 3.3146717314850727 * (t137 + crank_sin * minus_crank_lever_my_by_C_fz)  # base
-        t141 = t136 + t139 * t139  # mechanism
-        t144 = 3.3146717314850727 * (crank_sin * crank_lever_mx_by_C_fz - crank_cos * minus_crank_lever_my_by_C_fz)  # base
-        pivot_0 = t141 + t144 * t144
-        # coupler: pivots
-        t146 = 3.3146717314850727 * coupler_rotation_xx
-        t147 = t146 * t146
-        t148 = 3.3146717314850727 * minus_coupler_rotation_xy
-        t149 = t148 * t148
-        t150 = 3.3146717314850727 * coupler_cos
-        t151 = t150 * t150
-        t152 = 10.987048687506249 + t151
-        t153 = 3.3146717314850727 * coupler_sin
-        t154 = t153 * t153
-        t159 = t147 + (t149 + (t152 + t154 + t149 + t147))
+        t143 = 3.3146717314850727 * (t141 + crank_sin * minus_crank_lever_my_by_C_fz)  # base
         # mechanism: pivots
-        t164 = t123 * t150 - t126 * t153 + t130 * t148
-        t170 = t164 - t133 * t146 - t139 * t148 + t144 * t146
-        t171 = 1.0 / pivot_0
-        pivot_1 = t159 - t170 * (t170 * t171)
-        t179 = t149 + (t147 + (t149 + (t147 + (t151 + (10.987048687506249 + t154)))))  # coupler
-        t184 = t123 * t153 + t126 * t150 - t130 * t146
-        t190 = t184 - t133 * t148 + t139 * t146 + t144 * t148
-        t191 = t190 * t171
-        t192 = t190 * t191
-        t193 = t170 * t191
-        pivot_2 = t179 - (t192 + t193 * (t193 / pivot_1))
+        t145 = t140 + t143 * t143
+        t148 = 3.3146717314850727 * (crank_sin * crank_lever_mx_by_C_fz - crank_cos * minus_crank_lever_my_by_C_fz)  # base
+        pivot_0 = t145 + t148 * t148
+        t150 = 3.3146717314850727 * minus_coupler_rotation_xy  # coupler
+        t151 = t134 - t143
+        t152 = t150 * t151
+        # coupler: pivots
+        t153 = 3.3146717314850727 * coupler_rotation_xx
+        t154 = t137 - t148  # mechanism
+        t156 = t152 - t153 * t154  # mechanism
+        t157 = 1.0 / pivot_0  # mechanism
+        t159 = t156 * (t157 * t156)  # mechanism
+        t160 = 3.3146717314850727 * coupler_cos
+        t161 = t160 * t160
+        t162 = 10.987048687506249 + t161
+        t163 = 3.3146717314850727 * coupler_sin
+        t164 = t163 * t163
+        t165 = t162 + t164
+        t169 = 2.0 * (t150 * t150 + t153 * t153)
+        minus_pivot_1 = t159 - (t165 + t169)
+        t173 = t161 + (10.987048687506249 + t164) + t169
+        t174 = t150 * t154  # mechanism
+        t180 = t174 - (t127 * t163 + t130 * t160 - t153 * t151)  # mechanism
+        t181 = t157 * t180  # mechanism
+        t182 = t180 * t181  # mechanism
+        t183 = t156 * t181  # mechanism
+        pivot_2 = t173 - (t182 - t183 * (t183 / minus_pivot_1))
         return _finish(batch, ((A_joint_acc, B_joint_acc, D_joint_acc), (crank_joint_sent_fy, 0.0,
             crank_joint_sent_fx, 0.0, 0.0, 0.0, B_reaction_fx, 0.0, B_reaction_fz, 0.0,
             B_reaction_my, 0.0, C_reaction_fx, 0.0, C_reaction_fz, 0.0, C_reaction_my, 0.0,
             rocker_joint_sent_fy, 0.0, rocker_joint_sent_fx, 0.0, D_reaction_my, 0.0)),
             ((minus_C_closure_fx_by_D, 3.01689e-06), (A_reduced_inertia_by_A,
             3.264600000000001e-07), (crank_lever_mz_by_C_fx, 1.2634000000000003e-06), (pivot_0,
-            0.0001379), (pivot_1, 0.00043948), (pivot_2, 0.00043948)), (minus_C_closure_fx_by_D,
-            A_reduced_inertia_by_A, crank_joint_sent_fy, crank_joint_sent_fx, B_reaction_my,
-            C_reaction_my, rocker_joint_sent_fy, D_reaction_my, pivot_0, pivot_1, pivot_2))
+            0.0001379), (minus_pivot_1, 0.00043948), (pivot_2, 0.00043948)),
+            (minus_C_closure_fx_by_D, A_reduced_inertia_by_A, crank_joint_sent_fy,
+            crank_joint_sent_fx, B_reaction_my, C_reaction_my, rocker_joint_sent_fy, D_reaction_my,
+            pivot_0, minus_pivot_1, pivot_2))
 
 
 def _forward_dynamics_reactions_dense(*arguments):
@@ -1854,53 +1840,54 @@ def _forward_dynamics_reactions_dense(*arguments):
         # B: geometry
         t1 = 0.9272952180016122 + B_q
         coupler_cos = np.cos(t1)
-        t3 = coupler_cos * (0.1 * coupler_cos)  # coupler
-        A_mass_matrix_by_A = 0.1 - t3 + (0.03075 + (t3 + 0.09 * coupler_cos))
+        A_mass_matrix_by_A = 0.09 * coupler_cos + 0.13075
         A_mass_matrix_by_B = 0.1 + 0.045 * coupler_cos
         crank_sin = np.sin(A_q)
         minus_crank_rate_mz = 2.133675 * crank_sin
         coupler_sin = np.sin(t1)
-        t7 = 0.15 * (A_v * A_v)  # crank
+        t4 = 0.15 * (A_v * A_v)  # crank
         crank_cos = np.cos(A_q)
-        coupler_acc_still_y = coupler_sin * (t7 - 9.81 * crank_cos) - coupler_cos * (9.81 * crank_sin)
+        coupler_acc_still_y = coupler_sin * (t4 - 9.81 * crank_cos) - coupler_cos * (9.81 * crank_sin)
         coupler_rate_mz = 0.3 * coupler_acc_still_y
         coupler_omega_z = A_v + B_v
         minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z
         minus_crank_moment_z = minus_crank_rate_mz - (coupler_rate_mz - 0.15 * (coupler_sin * (0.3 * minus_coupler_U_still_xx)))
         minus_A_generalised_force = minus_crank_moment_z + A_u
         minus_coupler_rate_mz = -coupler_rate_mz
-        t13 = 0.4899573262537283 - D_q  # D
-        minus_rocker_sin = np.sin(t13)
+        t10 = 0.4899573262537283 - D_q  # D
+        minus_rocker_sin = np.sin(t10)
         rocker_rate_mz = 3.00186 * minus_rocker_sin
         minus_rocker_rate_mz = -rocker_rate_mz
         crank_lever_mz_by_C_fx = 0.15 * coupler_sin
         crank_lever_mz_by_C_fy = 0.5 + 0.15 * coupler_cos
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
         minus_rocker_joint_force_mx_by_C_fz = 0.51 * minus_rocker_sin
-        t17 = minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz  # C
+        t14 = minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz  # C
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
-        rocker_cos = np.cos(t13)
+        rocker_cos = np.cos(t10)
         minus_rocker_joint_force_my_by_C_fz = 0.51 * rocker_cos
         # C: loop closure
-        C_closure_fx_by_D = t17 - coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz
-        t21 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz
-        C_closure_fy_by_D = t21 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
-        t23 = 0.51 * (D_v * D_v)  # rocker
-        t24 = rocker_cos * t23  # rocker
-        t25 = crank_cos * t24
-        t26 = minus_rocker_sin * t23  # rocker
-        t28 = t25 - crank_sin * t26
-        t29 = coupler_cos * t28
-        t32 = crank_sin * t24 + crank_cos * t26
-        C_opening_bias_fx = t29 - coupler_sin * t32 - (coupler_cos * t7 + 0.5 * minus_coupler_U_still_xx)
-        C_opening_bias_fy = coupler_sin * t7 - (coupler_sin * t28 + coupler_cos * t32)
+        C_closure_fx_by_D = t14 - coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz
+        t18 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz
+        C_closure_fy_by_D = t18 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
+        t20 = 0.5 * minus_coupler_U_still_xx  # coupler
+        t21 = 0.51 * (D_v * D_v)  # rocker
+        t22 = rocker_cos * t21  # rocker
+        t23 = crank_sin * t22
+        t24 = minus_rocker_sin * t21  # rocker
+        t26 = t23 + crank_cos * t24
+        t27 = coupler_sin * t26
+        t31 = t4 - (crank_cos * t22 - crank_sin * t24)
+        minus_C_opening_bias_fx = t20 + (t27 + coupler_cos * t31)
+        C_opening_bias_fx = -minus_C_opening_bias_fx
+        C_opening_bias_fy = coupler_sin * t31 - coupler_cos * t26
         return _finish(batch, ((A_mass_matrix_by_A, A_mass_matrix_by_B, 0.0, A_mass_matrix_by_B,
             0.1, 0.0, 0.0, 0.0, 0.10404), (minus_A_generalised_force, minus_coupler_rate_mz,
             minus_rocker_rate_mz), (crank_lever_mz_by_C_fx, crank_lever_mz_by_C_fy, 0.0, 0.0, 0.0,
             0.0, 0.5, 0.0, 0.0, 0.0, C_closure_fx_by_D, C_closure_fy_by_D, 0.0, 0.0, 0.0),
             (C_opening_bias_fx, C_opening_bias_fy, 0.0, 0.0, 0.0)), (), (A_mass_matrix_by_A,
             A_mass_matrix_by_B, minus_A_generalised_force, rocker_rate_mz, crank_lever_mz_by_C_fx,
-            crank_lever_mz_by_C_fy, C_closure_fx_by_D, C_closure_fy_by_D, C_opening_bias_fx,
+            crank_lever_mz_by_C_fy, C_closure_fx_by_D, C_closure_fy_by_D, minus_C_opening_bias_fx,
             C_opening_bias_fy))
 
 
@@ -2063,7 +2050,7 @@ def forward_dynamics_reactions(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations where no pivot is small: 315 (add 126, mul 165, div 5, trig 6, compare 13)
+    Operations where no pivot is small: 294 (add 115, mul 155, div 5, trig 6, compare 13)
     Note: overconstrained: 3 internal loads are undetermined and take the minimum-norm values (moments
       divided by the characteristic length 0.301689 m); not unique: C.fy, C.mx, C.mz, B.fy, B.mx, B.mz,
       D.fy, D.mx, D.mz, A.fy, A.mx, A.mz
@@ -2354,7 +2341,7 @@ def inverse_dynamics_platform(*arguments):
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
       11 out of reach: limb A does not get there; all outputs are NaN
-    Operations: 145 (add 45, mul 87, div 3, sqrt 1, trig 2, compare 7)
+    Operations: 141 (add 44, mul 84, div 3, sqrt 1, trig 2, compare 7)
     """
     entries, batch = _entries("inverse_dynamics_platform", {"pose": 1, "rate": 1, "acceleration": 1}, arguments)
     (
@@ -2366,7 +2353,7 @@ def inverse_dynamics_platform(*arguments):
         # rocker: geometry; balance, eqs. (40)-(47)
         rocker_cos = np.cos(t1)
         minus_rocker_joint_force_my_by_C_fz = 0.51 * rocker_cos
-        # rocker: reciprocal wrenches, eq. (10); geometry; loop closure
+        # rocker: reciprocal wrenches, eq. (10); geometry; balance, eqs. (40)-(47)
         t2 = minus_rocker_joint_force_my_by_C_fz * minus_rocker_joint_force_my_by_C_fz
         minus_rocker_sin = np.sin(t1)
         minus_rocker_joint_force_mx_by_C_fz = 0.51 * minus_rocker_sin
@@ -2389,48 +2376,46 @@ def inverse_dynamics_platform(*arguments):
         coupler_cos = 6.666666666666667 * t6
         t18 = minus_rocker_joint_force_my_by_C_fz * minus_crank_lever_my_by_C_fz  # crank
         crank_cos = t14 * (t18 + t3 * crank_lever_mx_by_C_fz)
-        t21 = 0.51 * (D_rate * D_rate)
-        t22 = rocker_cos * t21
-        t23 = 0.51 * D_acc  # D
-        # C: loop closure; balance, eqs. (40)-(47)
-        t25 = t22 - minus_rocker_sin * t23
-        t26 = crank_cos * t25
-        t29 = minus_rocker_sin * t21 + rocker_cos * t23
-        t31 = t26 - crank_sin * t29
-        t32 = coupler_cos * t31
-        t35 = crank_sin * t25 + crank_cos * t29
-        t37 = t32 - coupler_sin * t35
-        t38 = 0.51 * D_rate  # D
-        t39 = minus_rocker_sin * t38
-        t40 = crank_cos * t39
-        t41 = rocker_cos * t38
-        t43 = t40 + crank_sin * t41
-        t44 = coupler_cos * t43
-        t47 = crank_sin * t39 - crank_cos * t41
-        crank_omega_z = (t44 - coupler_sin * t47) * minus_C_part_fx_by_A
-        t49 = 0.15 * (crank_omega_z * crank_omega_z)  # crank
-        minus_coupler_acc_x = coupler_cos * t49
-        C_opening_rate_fy = coupler_sin * t43 + coupler_cos * t47
+        t21 = 0.51 * D_rate  # D
+        t22 = minus_rocker_sin * t21  # C
+        t23 = crank_cos * t22  # C
+        t24 = rocker_cos * t21  # C
+        t26 = t23 + crank_sin * t24  # C
+        t27 = coupler_cos * t26  # C
+        t30 = crank_sin * t22 - crank_cos * t24  # C
+        crank_omega_z = (t27 - coupler_sin * t30) * minus_C_part_fx_by_A
+        C_opening_rate_fy = coupler_sin * t26 + coupler_cos * t30
         crank_lever_mz_by_C_fy = t5 + 0.2275
         coupler_omega_z = crank_omega_z - 2.0 * (C_opening_rate_fy + crank_lever_mz_by_C_fy * crank_omega_z)
         minus_coupler_U_xx = coupler_omega_z * coupler_omega_z
-        minus_crank_alpha_z = minus_C_part_fx_by_A * (t37 - (minus_coupler_acc_x + 0.5 * minus_coupler_U_xx))
-        C_opening_bias_fy = coupler_sin * t49 - (coupler_sin * t31 + coupler_cos * t35)
-        minus_coupler_alpha_z = minus_crank_alpha_z + 2.0 * (C_opening_bias_fy - crank_lever_mz_by_C_fy * minus_crank_alpha_z)
-        t63 = 0.1 * minus_coupler_alpha_z  # coupler
-        t65 = coupler_sin * (t49 - 9.81 * crank_cos)  # coupler
-        t69 = 0.3 * (t65 - coupler_cos * (9.81 * crank_sin + 0.15 * minus_crank_alpha_z))  # coupler
-        minus_C_multiplier_fy = 2.0 * (t63 - t69)
-        t70 = coupler_sin * minus_C_multiplier_fy  # rocker
-        t71 = crank_sin * t70  # rocker
-        t72 = coupler_cos * minus_C_multiplier_fy  # rocker
-        t75 = minus_rocker_joint_force_my_by_C_fz * (t71 - crank_cos * t72)  # rocker
-        rocker_joint_force_mz = rocker_rate_mz_2 + (t75 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * t70 + crank_sin * t72))
-        t83 = minus_rocker_joint_force_my_by_C_fz * (crank_sin * coupler_cos + crank_cos * coupler_sin)
+        t37 = 0.5 * minus_coupler_U_xx  # coupler
+        t38 = 0.51 * (D_rate * D_rate)
+        t39 = rocker_cos * t38
+        t40 = 0.51 * D_acc  # D
+        t42 = t39 - minus_rocker_sin * t40  # C
+        t43 = crank_sin * t42  # C
+        t46 = minus_rocker_sin * t38 + rocker_cos * t40  # C
+        t48 = t43 + crank_cos * t46  # C
+        t49 = coupler_sin * t48  # C
+        t50 = 0.15 * (crank_omega_z * crank_omega_z)  # crank
+        t54 = t50 - (crank_cos * t42 - crank_sin * t46)  # C
+        crank_alpha_z = minus_C_part_fx_by_A * (t37 + (t49 + coupler_cos * t54))
+        t62 = 2.0 * (crank_lever_mz_by_C_fy * crank_alpha_z - (coupler_cos * t48 - coupler_sin * t54))  # coupler
+        coupler_alpha_z = crank_alpha_z - t62
+        t63 = 0.1 * coupler_alpha_z  # coupler
+        t65 = coupler_sin * (t50 - 9.81 * crank_cos)  # coupler
+        t69 = 0.3 * (t65 - coupler_cos * (9.81 * crank_sin - 0.15 * crank_alpha_z))  # coupler
+        C_multiplier_fy = 2.0 * (t63 + t69)
+        t70 = coupler_sin * C_multiplier_fy
+        t71 = crank_sin * t70
+        t72 = coupler_cos * C_multiplier_fy
+        t75 = minus_rocker_joint_force_my_by_C_fz * (t71 - crank_cos * t72)
+        rocker_joint_force_mz = rocker_rate_mz_2 - (t75 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * t70 + crank_sin * t72))
+        t83 = minus_rocker_joint_force_my_by_C_fz * (crank_sin * coupler_cos + crank_cos * coupler_sin)  # C
         minus_C_closure_fx_by_D = t83 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * coupler_cos - crank_sin * coupler_sin)
         t87 = crank_lever_mz_by_C_fx * (rocker_joint_force_mz / minus_C_closure_fx_by_D)  # A
-        t90 = coupler_sin * (0.3 * minus_coupler_U_xx) + coupler_cos * (0.3 * minus_coupler_alpha_z) - t72  # crank
-        A_balance = t87 - (0.15 * t90 + (0.03075 * minus_crank_alpha_z + 2.133675 * crank_sin))
+        t93 = 0.15 * (t72 + 0.3 * (coupler_sin * minus_coupler_U_xx - coupler_cos * coupler_alpha_z))  # A
+        A_balance = t87 - (t93 + (2.133675 * crank_sin - 0.03075 * crank_alpha_z))
         return _finish(batch, ((A_balance,),), ((crank_lever_mz_by_C_fx, 3.01689e-10),
             (minus_C_closure_fx_by_D, 5.057800000000001e-10)), (minus_C_closure_fx_by_D, A_balance),
             ((t9, 0.0, None, 11),))
@@ -2553,37 +2538,35 @@ def constraint_margin(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 39 (add 10, mul 22, trig 6, compare 1)
+    Operations: 38 (add 10, mul 21, trig 6, compare 1)
     """
     entries, batch = _entries("constraint_margin", {"q": 3}, arguments)
     (
         A_q, B_q, D_q,
     ) = entries
     with np.errstate(all="ignore"):
-        # B: geometry
-        t1 = 0.9272952180016122 + B_q
-        coupler_sin = np.sin(t1)
-        t2 = 0.8240286515629687 * coupler_sin  # coupler
-        t3 = t2 * t2  # coupler
-        t4 = 0.4972007597227609 * coupler_sin  # coupler
+        # crank: geometry
         crank_sin = np.sin(A_q)
-        t5 = crank_sin * coupler_sin  # coupler
-        crank_cos = np.cos(A_q)
+        t1 = 0.9272952180016122 + B_q  # B
         coupler_cos = np.cos(t1)
-        minus_coupler_rotation_xy = t5 - crank_cos * coupler_cos
-        t7 = 0.4899573262537283 - D_q  # D
-        minus_rocker_joint_force_my_by_C_fz = 0.51 * np.cos(t7)
-        t8 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
-        coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
-        minus_rocker_joint_force_mx_by_C_fz = 0.51 * np.sin(t7)
-        t13 = t4 * (3.3146717314850727 * (t8 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz))  # rocker
-        t14 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
-        minus_C_closure_fx_by_D = t14 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
-        t19 = 3.3146717314850727 * minus_C_closure_fx_by_D * (3.3146717314850727 * (0.5 + 0.15 * coupler_cos))  # rocker
-        t20 = t13 + t19  # rocker
-        t22 = t3 + t20 * t20  # rocker
-        t23 = 5.4935243437531245 * minus_C_closure_fx_by_D  # C
-        rocker_margins = t22 + t23 * t23
+        t2 = crank_sin * coupler_cos  # coupler
+        crank_cos = np.cos(A_q)
+        coupler_sin = np.sin(t1)
+        coupler_rotation_xx = t2 + crank_cos * coupler_sin
+        t4 = 0.4899573262537283 - D_q  # D
+        minus_rocker_joint_force_my_by_C_fz = 0.51 * np.cos(t4)
+        t5 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
+        minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
+        minus_rocker_joint_force_mx_by_C_fz = 0.51 * np.sin(t4)
+        minus_C_closure_fx_by_D = t5 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
+        t9 = 5.4935243437531245 * minus_C_closure_fx_by_D  # C
+        t10 = t9 * t9  # C
+        t11 = 0.8240286515629687 * coupler_sin  # coupler
+        t12 = t11 * t11  # coupler
+        t13 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
+        t16 = 0.4972007597227609 * (coupler_sin * (t13 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz))  # rocker
+        t21 = 3.3146717314850727 * (t16 + minus_C_closure_fx_by_D * (3.3146717314850727 * (0.5 + 0.15 * coupler_cos)))  # rocker
+        rocker_margins = t10 + (t12 + t21 * t21)
         return _finish(batch, ((rocker_margins,),), (), (rocker_margins,))
 
 
@@ -2598,23 +2581,23 @@ def actuation_margins(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 21 (add 5, mul 9, trig 6, compare 1)
+    Operations: 19 (add 5, mul 7, trig 6, compare 1)
     """
     entries, batch = _entries("actuation_margins", {"q": 3}, arguments)
     (
         A_q, B_q, D_q,
     ) = entries
     with np.errstate(all="ignore"):
-        # crank: geometry
+        # D: geometry
+        t1 = 0.4899573262537283 - D_q
+        rocker_cos = np.cos(t1)
         crank_sin = np.sin(A_q)
-        t1 = 0.9272952180016122 + B_q  # B
-        coupler_cos = np.cos(t1)
-        t2 = crank_sin * coupler_cos  # coupler
+        t2 = 0.9272952180016122 + B_q  # B
+        coupler_cos = np.cos(t2)
+        t3 = crank_sin * coupler_cos  # coupler
         crank_cos = np.cos(A_q)
-        coupler_sin = np.sin(t1)
-        coupler_rotation_xx = t2 + crank_cos * coupler_sin
-        t4 = 0.4899573262537283 - D_q  # D
-        t5 = coupler_rotation_xx * (0.51 * np.cos(t4))  # C
-        t8 = (crank_sin * coupler_sin - crank_cos * coupler_cos) * (0.51 * np.sin(t4))  # C
-        all_drives_margins = 5.4935243437531245 * (t5 - t8)
+        coupler_sin = np.sin(t2)
+        t5 = rocker_cos * (t3 + crank_cos * coupler_sin)  # all drives
+        t9 = t5 - np.sin(t1) * (crank_sin * coupler_sin - crank_cos * coupler_cos)  # all drives
+        all_drives_margins = 2.8016974153140937 * t9
         return _finish(batch, ((all_drives_margins,),), (), (all_drives_margins,))

@@ -120,7 +120,6 @@ FOUR_BAR_UNUSED static const double
     per_length_crank_m = 1.6573358657425363, /* per_length * 0.5 */
     per_length_squared = 10.987048687506249, /* [1/m^2] 1 over the square of the characteristic length */
     rocker_Iyy = 0.02601, /* [kg m^2] inertia, absolute axes, of rocker: 2601/100000 */
-    rocker_com_x = 0.52, /* [m] centre of mass, absolute axes, of rocker: 13/25 */
     rocker_com_z = 0.225, /* [m] centre of mass, absolute axes, of rocker: 9/40 */
     rocker_m = 1.2, /* [kg] mass of rocker, coupler: 6/5 */
     rocker_m_gravity_z = 11.772, /* rocker_m * gravity_z */
@@ -136,22 +135,25 @@ FOUR_BAR_UNUSED static const double
     k4 = 0.8823529411764706, /* (1 / (sqrt(0.2601))) * C_at_z */
     k5 = 0.25, /* C_at_x * C_at_x + coupler_com_z * coupler_com_z */
     k6 = 0.51, /* sqrt((-0.24) * (-0.24) + C_at_z * C_at_z) */
-    k7 = 0.03075, /* crank_sxx + 0.6 * coupler_com_z * B_at_z */
-    k8 = 0.18, /* 2 * coupler_com_z * coupler_com_z */
+    k7 = 0.12, /* -(rocker_com_x - D_at_x) */
+    k8 = 0.03075, /* crank_sxx + 0.6 * coupler_com_z * B_at_z */
     k9 = 0.09, /* coupler_com_z * coupler_com_z */
-    k10 = 2.133675, /* (crank_mx + 0.6 * coupler_com_z) * gravity_z */
-    k11 = 1.690482583057387, /* per_length * (sqrt(0.0576 + 0.2025)) */
-    k12 = 0.2725, /* B_at_z * B_at_z + C_at_x * C_at_x + coupler_com_z * coupler_com_z */
-    k13 = 3.3333333333333335, /* (1 / (B_at_z * B_at_z)) * crank_com_z */
-    k14 = 0.005625, /* B_at_z * B_at_z * (C_at_x * C_at_x + coupler_com_z * coupler_com_z) */
-    k15 = 6.666666666666667, /* 1 / B_at_z */
-    k16 = 8.0, /* 2 * coupler_com_z * 4 * 44.44444444444444 * crank_com_z */
-    k17 = 5.333333333333333, /* 2 * C_at_x * (1 / B_at_z) */
-    k18 = 10.666666666666666, /* 2 * C_at_x * 4 * 44.44444444444444 * crank_com_z */
-    k19 = 13.333333333333334, /* 4 * ((1 / 0.0225) * crank_com_z) */
-    k20 = 0.2275, /* 0.5 - (B_at_z * B_at_z + 0.16 + 0.09) */
-    k21 = 0.8240286515629687, /* per_length * 0.5 * per_length * B_at_z */
-    k22 = 5.4935243437531245; /* per_length * 0.5 * per_length */
+    k10 = 0.18, /* 2 * coupler_com_z * coupler_com_z */
+    k11 = 0.13075, /* coupler_sxx + crank_sxx + 0.18 * B_at_z */
+    k12 = 2.133675, /* (crank_mx + 0.6 * coupler_com_z) * gravity_z */
+    k13 = 1.690482583057387, /* per_length * (sqrt(0.0576 + 0.2025)) */
+    k14 = 0.2725, /* B_at_z * B_at_z + C_at_x * C_at_x + coupler_com_z * coupler_com_z */
+    k15 = 3.3333333333333335, /* (1 / (B_at_z * B_at_z)) * crank_com_z */
+    k16 = 0.005625, /* B_at_z * B_at_z * (C_at_x * C_at_x + coupler_com_z * coupler_com_z) */
+    k17 = 6.666666666666667, /* 1 / B_at_z */
+    k18 = 8.0, /* 2 * coupler_com_z * 4 * 44.44444444444444 * crank_com_z */
+    k19 = 5.333333333333333, /* 2 * C_at_x * (1 / B_at_z) */
+    k20 = 10.666666666666666, /* 2 * C_at_x * 4 * 44.44444444444444 * crank_com_z */
+    k21 = 13.333333333333334, /* 4 * ((1 / 0.0225) * crank_com_z) */
+    k22 = 0.2275, /* 0.5 - (B_at_z * B_at_z + 0.16 + 0.09) */
+    k23 = 0.8240286515629687, /* per_length * 0.5 * per_length * B_at_z */
+    k24 = 5.4935243437531245, /* per_length * 0.5 * per_length */
+    k25 = 2.8016974153140937; /* per_length * 0.5 * per_length * (sqrt(0.0576 + 0.2025)) */
 
 static inline FOUR_BAR_INLINE void four_bar_angles0(size_t stride, size_t pitch, const double *restrict q,
     double *restrict angle)

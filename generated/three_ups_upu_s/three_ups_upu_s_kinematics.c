@@ -644,54 +644,54 @@ BODY(three_ups_upu_s_joint_screws)(size_t stride, const double *restrict q, doub
       limb4_lower_cos = SINES(cosine, 7), minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos;
     WRITE(screws, 117, -minus_limb4_lower_rotation_xx);
     /* limb4: screws, eq. (5); geometry */
-    const REAL t120 = k1 * minus_limb4_lower_rotation_xx,
+    const REAL t118 = k1 * minus_limb4_lower_rotation_xx,
       minus_limb4_lower_rotation_xy = minus_limb4_U_0_cos * minus_limb4_lower_sin,
-      t122 = t120 - 0.5 * minus_limb4_lower_rotation_xy;
-    WRITE(screws, 132, -t122);
-    const REAL t108 = k1 * minus_limb4_lower_rotation_xy, t135 = limb4_upper_position_y * t122,
+      t120 = t118 - 0.5 * minus_limb4_lower_rotation_xy;
+    WRITE(screws, 132, -t120);
+    const REAL t106 = k1 * minus_limb4_lower_rotation_xy, t133 = limb4_upper_position_y * t120,
       minus_limb4_upper_position_x = limb4_upper_offset_x * minus_limb4_lower_rotation_xx,
-      limb4_S_screws_y_wx = 0.5 * minus_limb4_lower_rotation_xx + t108;
+      limb4_S_screws_y_wx = 0.5 * minus_limb4_lower_rotation_xx + t106;
     WRITE(screws, 126, limb4_S_screws_y_wx);
-    const REAL t125 = k1 * minus_limb4_lower_sin + 0.5 * limb4_lower_cos;
-    WRITE(screws, 133, -t125);
-    RESULT(checked0, screws, 137, minus_limb4_upper_position_x * t125 + t135);
+    const REAL t123 = k1 * minus_limb4_lower_sin + 0.5 * limb4_lower_cos;
+    WRITE(screws, 133, -t123);
+    RESULT(checked0, screws, 137, minus_limb4_upper_position_x * t123 + t133);
     const REAL limb4_U_0_sin = SINES(cosine, 6);
     WRITE(screws, 108, limb4_U_0_sin);
     WRITE(screws, 120, limb4_U_0_sin);
     const REAL minus_limb4_lower_rotation_zx = limb4_U_0_sin * limb4_lower_cos,
       minus_limb4_upper_position_z = limb4_upper_offset_x * minus_limb4_lower_rotation_zx,
-      t132 = minus_limb4_upper_position_z * t122, t130 = minus_limb4_upper_position_z * t125;
+      t130 = minus_limb4_upper_position_z * t120, t128 = minus_limb4_upper_position_z * t123;
     WRITE(screws, 119, -minus_limb4_lower_rotation_zx);
-    const REAL t126 = k1 * minus_limb4_lower_rotation_zx, t111 = 0.5 * minus_limb4_lower_rotation_zx,
+    const REAL t124 = k1 * minus_limb4_lower_rotation_zx, t109 = 0.5 * minus_limb4_lower_rotation_zx,
       minus_limb4_lower_rotation_zy = limb4_U_0_sin * minus_limb4_lower_sin,
-      t128 = t126 - 0.5 * minus_limb4_lower_rotation_zy;
-    WRITE(screws, 134, -t128);
-    const REAL limb4_S_screws_y_wz = t111 + k1 * minus_limb4_lower_rotation_zy;
+      t126 = t124 - 0.5 * minus_limb4_lower_rotation_zy;
+    WRITE(screws, 134, -t126);
+    const REAL limb4_S_screws_y_wz = t109 + k1 * minus_limb4_lower_rotation_zy;
     WRITE(screws, 128, limb4_S_screws_y_wz);
-    RESULT(checked1, screws, 136, t132 - minus_limb4_upper_position_x * t128);
-    const REAL t131 = limb4_upper_position_y * t128 + t130;
-    checked2 = checked2 + t131;
-    WRITE(screws, 135, -t131);
-    const REAL t118 = limb4_upper_position_y * limb4_S_screws_y_wx,
-      t116 = minus_limb4_upper_position_z * limb4_S_screws_y_wx,
+    RESULT(checked1, screws, 136, t130 - minus_limb4_upper_position_x * t126);
+    const REAL t129 = limb4_upper_position_y * t126 + t128;
+    checked2 = checked2 + t129;
+    WRITE(screws, 135, -t129);
+    const REAL t116 = limb4_upper_position_y * limb4_S_screws_y_wx,
+      t114 = minus_limb4_upper_position_z * limb4_S_screws_y_wx,
       limb4_S_screws_y_wy = 0.5 * minus_limb4_lower_sin - k1 * limb4_lower_cos;
     WRITE(screws, 127, limb4_S_screws_y_wy);
-    const REAL t119 = minus_limb4_upper_position_x * limb4_S_screws_y_wy + t118;
-    checked3 = checked3 + t119;
-    WRITE(screws, 131, -t119);
-    const REAL t114 = minus_limb4_upper_position_z * limb4_S_screws_y_wy,
-      t103 = limb4_U_0_sin * minus_limb4_upper_position_z;
-    RESULT(checked0, screws, 130, minus_limb4_upper_position_x * limb4_S_screws_y_wz - t116);
-    RESULT(checked1, screws, 129, limb4_upper_position_y * limb4_S_screws_y_wz + t114);
-    const REAL t105 = t103 + minus_limb4_U_0_cos * minus_limb4_upper_position_x;
-    checked2 = checked2 + t105;
-    WRITE(screws, 124, -t105);
-    const REAL t106 = limb4_U_0_sin * limb4_upper_position_y;
-    checked3 = checked3 + t106;
-    WRITE(screws, 125, -t106);
-    const REAL t102 = minus_limb4_U_0_cos * limb4_upper_position_y;
-    checked0 = checked0 + t102;
-    WRITE(screws, 123, -t102);
+    const REAL t117 = minus_limb4_upper_position_x * limb4_S_screws_y_wy + t116;
+    checked3 = checked3 + t117;
+    WRITE(screws, 131, -t117);
+    const REAL t112 = minus_limb4_upper_position_z * limb4_S_screws_y_wy,
+      t101 = limb4_U_0_sin * minus_limb4_upper_position_z;
+    RESULT(checked0, screws, 130, minus_limb4_upper_position_x * limb4_S_screws_y_wz - t114);
+    RESULT(checked1, screws, 129, limb4_upper_position_y * limb4_S_screws_y_wz + t112);
+    const REAL t103 = t101 + minus_limb4_U_0_cos * minus_limb4_upper_position_x;
+    checked2 = checked2 + t103;
+    WRITE(screws, 124, -t103);
+    const REAL t104 = limb4_U_0_sin * limb4_upper_position_y;
+    checked3 = checked3 + t104;
+    WRITE(screws, 125, -t104);
+    const REAL t100 = minus_limb4_U_0_cos * limb4_upper_position_y;
+    checked0 = checked0 + t100;
+    WRITE(screws, 123, -t100);
     const REAL minus_limb4_U_1_screw_vz = param_R * limb4_U_0_sin;
     checked1 = checked1 + minus_limb4_U_1_screw_vz;
     WRITE(screws, 113, -minus_limb4_U_1_screw_vz);
@@ -708,44 +708,44 @@ BODY(three_ups_upu_s_joint_screws)(size_t stride, const double *restrict q, doub
     const REAL limb3_lower_cos = SINES(cosine, 5), minus_limb3_lower_rotation_yx = limb3_U_0_sin * limb3_lower_cos;
     WRITE(screws, 82, -minus_limb3_lower_rotation_yx);
     /* limb3: screws, eq. (5); geometry */
-    const REAL t88 = k1 * minus_limb3_lower_rotation_yx,
+    const REAL t86 = k1 * minus_limb3_lower_rotation_yx,
       minus_limb3_lower_rotation_yy = limb3_U_0_sin * minus_limb3_lower_sin,
-      t90 = t88 + 0.5 * minus_limb3_lower_rotation_yy;
-    WRITE(screws, 97, -t90);
-    const REAL t71 = k1 * minus_limb3_lower_rotation_yy, t98 = limb3_upper_position_x * t90,
+      t88 = t86 + 0.5 * minus_limb3_lower_rotation_yy;
+    WRITE(screws, 97, -t88);
+    const REAL t69 = k1 * minus_limb3_lower_rotation_yy, t96 = limb3_upper_position_x * t88,
       minus_limb3_upper_position_y = limb3_upper_offset_x * minus_limb3_lower_rotation_yx,
-      limb3_S_screws_x_wy = 0.5 * minus_limb3_lower_rotation_yx - t71;
+      limb3_S_screws_x_wy = 0.5 * minus_limb3_lower_rotation_yx - t69;
     WRITE(screws, 85, limb3_S_screws_x_wy);
-    const REAL t87 = k1 * minus_limb3_lower_sin - 0.5 * limb3_lower_cos;
-    WRITE(screws, 96, -t87);
-    const REAL t100 = t98 + minus_limb3_upper_position_y * t87;
-    checked0 = checked0 + t100;
-    WRITE(screws, 101, -t100);
+    const REAL t85 = k1 * minus_limb3_lower_sin - 0.5 * limb3_lower_cos;
+    WRITE(screws, 96, -t85);
+    const REAL t98 = t96 + minus_limb3_upper_position_y * t85;
+    checked0 = checked0 + t98;
+    WRITE(screws, 101, -t98);
     const REAL limb3_lower_rotation_zx = limb3_U_0_cos * limb3_lower_cos;
     WRITE(screws, 83, limb3_lower_rotation_zx);
     const REAL limb3_upper_position_z = limb3_upper_offset_x * limb3_lower_rotation_zx,
-      t95 = limb3_upper_position_z * t87, t93 = limb3_upper_position_z * t90, t91 = k1 * limb3_lower_rotation_zx,
-      t72 = 0.5 * limb3_lower_rotation_zx, limb3_lower_rotation_zy = limb3_U_0_cos * minus_limb3_lower_sin,
-      limb3_S_screws_z_wz = t91 + 0.5 * limb3_lower_rotation_zy;
+      t93 = limb3_upper_position_z * t85, t91 = limb3_upper_position_z * t88, t89 = k1 * limb3_lower_rotation_zx,
+      t70 = 0.5 * limb3_lower_rotation_zx, limb3_lower_rotation_zy = limb3_U_0_cos * minus_limb3_lower_sin,
+      limb3_S_screws_z_wz = t89 + 0.5 * limb3_lower_rotation_zy;
     WRITE(screws, 98, limb3_S_screws_z_wz);
-    const REAL t74 = t72 - k1 * limb3_lower_rotation_zy;
-    WRITE(screws, 86, -t74);
-    const REAL t97 = t95 + limb3_upper_position_x * limb3_S_screws_z_wz;
-    checked1 = checked1 + t97;
-    WRITE(screws, 100, -t97);
-    RESULT(checked2, screws, 99, t93 - minus_limb3_upper_position_y * limb3_S_screws_z_wz);
-    const REAL t84 = limb3_U_0_sin * limb3_upper_position_x;
-    checked3 = checked3 + t84;
-    WRITE(screws, 94, -t84);
-    const REAL t83 = limb3_U_0_sin * minus_limb3_upper_position_y + limb3_U_0_cos * limb3_upper_position_z;
-    checked0 = checked0 + t83;
-    WRITE(screws, 93, -t83);
-    const REAL t79 = limb3_upper_position_x * limb3_S_screws_x_wy, t78 = limb3_upper_position_x * t74;
-    RESULT(checked1, screws, 87, minus_limb3_upper_position_y * t74 - limb3_upper_position_z * limb3_S_screws_x_wy);
+    const REAL t72 = t70 - k1 * limb3_lower_rotation_zy;
+    WRITE(screws, 86, -t72);
+    const REAL t95 = t93 + limb3_upper_position_x * limb3_S_screws_z_wz;
+    checked1 = checked1 + t95;
+    WRITE(screws, 100, -t95);
+    RESULT(checked2, screws, 99, t91 - minus_limb3_upper_position_y * limb3_S_screws_z_wz);
+    const REAL t82 = limb3_U_0_sin * limb3_upper_position_x;
+    checked3 = checked3 + t82;
+    WRITE(screws, 94, -t82);
+    const REAL t81 = limb3_U_0_sin * minus_limb3_upper_position_y + limb3_U_0_cos * limb3_upper_position_z;
+    checked0 = checked0 + t81;
+    WRITE(screws, 93, -t81);
+    const REAL t77 = limb3_upper_position_x * limb3_S_screws_x_wy, t76 = limb3_upper_position_x * t72;
+    RESULT(checked1, screws, 87, minus_limb3_upper_position_y * t72 - limb3_upper_position_z * limb3_S_screws_x_wy);
     const REAL limb3_S_screws_x_wx = 0.5 * minus_limb3_lower_sin + k1 * limb3_lower_cos;
     WRITE(screws, 84, limb3_S_screws_x_wx);
-    RESULT(checked2, screws, 89, t79 + minus_limb3_upper_position_y * limb3_S_screws_x_wx);
-    RESULT(checked3, screws, 88, limb3_upper_position_z * limb3_S_screws_x_wx + t78);
+    RESULT(checked2, screws, 89, t77 + minus_limb3_upper_position_y * limb3_S_screws_x_wx);
+    RESULT(checked3, screws, 88, limb3_upper_position_z * limb3_S_screws_x_wx + t76);
     const REAL minus_limb3_U_1_screw_vy = param_R * limb3_U_0_sin;
     checked0 = checked0 + minus_limb3_U_1_screw_vy;
     WRITE(screws, 76, -minus_limb3_U_1_screw_vy);
@@ -759,51 +759,51 @@ BODY(three_ups_upu_s_joint_screws)(size_t stride, const double *restrict q, doub
       minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos;
     WRITE(screws, 45, -minus_limb2_lower_rotation_xx);
     /* limb2: screws, eq. (5); geometry */
-    const REAL t52 = k1 * minus_limb2_lower_rotation_xx,
-      limb2_lower_rotation_xy = minus_limb2_U_0_cos * limb2_lower_sin, t54 = t52 - 0.5 * limb2_lower_rotation_xy;
-    WRITE(screws, 60, -t54);
-    const REAL t38 = k1 * limb2_lower_rotation_xy, t65 = minus_limb2_upper_position_y * t54,
+    const REAL t50 = k1 * minus_limb2_lower_rotation_xx,
+      limb2_lower_rotation_xy = minus_limb2_U_0_cos * limb2_lower_sin, t52 = t50 - 0.5 * limb2_lower_rotation_xy;
+    WRITE(screws, 60, -t52);
+    const REAL t36 = k1 * limb2_lower_rotation_xy, t63 = minus_limb2_upper_position_y * t52,
       minus_limb2_upper_position_x = limb2_upper_offset_x * minus_limb2_lower_rotation_xx,
-      t39 = 0.5 * minus_limb2_lower_rotation_xx + t38;
-    WRITE(screws, 54, -t39);
+      t37 = 0.5 * minus_limb2_lower_rotation_xx + t36;
+    WRITE(screws, 54, -t37);
     const REAL limb2_S_screws_z_wy = k1 * limb2_lower_sin + 0.5 * limb2_lower_cos;
     WRITE(screws, 61, limb2_S_screws_z_wy);
-    const REAL t66 = minus_limb2_upper_position_x * limb2_S_screws_z_wy + t65;
-    checked3 = checked3 + t66;
-    WRITE(screws, 65, -t66);
+    const REAL t64 = minus_limb2_upper_position_x * limb2_S_screws_z_wy + t63;
+    checked3 = checked3 + t64;
+    WRITE(screws, 65, -t64);
     const REAL minus_limb2_lower_rotation_zx = limb2_U_0_sin * limb2_lower_cos,
       minus_limb2_upper_position_z = limb2_upper_offset_x * minus_limb2_lower_rotation_zx,
-      t62 = minus_limb2_upper_position_z * t54, t61 = minus_limb2_upper_position_z * limb2_S_screws_z_wy;
+      t60 = minus_limb2_upper_position_z * t52, t59 = minus_limb2_upper_position_z * limb2_S_screws_z_wy;
     WRITE(screws, 47, -minus_limb2_lower_rotation_zx);
-    const REAL t57 = k1 * minus_limb2_lower_rotation_zx, t42 = 0.5 * minus_limb2_lower_rotation_zx,
-      limb2_lower_rotation_zy = limb2_U_0_sin * limb2_lower_sin, t59 = t57 - 0.5 * limb2_lower_rotation_zy;
-    WRITE(screws, 62, -t59);
-    const REAL t44 = t42 + k1 * limb2_lower_rotation_zy;
-    WRITE(screws, 56, -t44);
-    RESULT(checked0, screws, 64, t62 - minus_limb2_upper_position_x * t59);
-    RESULT(checked1, screws, 63, minus_limb2_upper_position_y * t59 + t61);
-    const REAL t50 = minus_limb2_upper_position_y * t39, t45 = minus_limb2_upper_position_y * t44;
-    RESULT(checked2, screws, 58, minus_limb2_upper_position_z * t39 - minus_limb2_upper_position_x * t44);
+    const REAL t55 = k1 * minus_limb2_lower_rotation_zx, t40 = 0.5 * minus_limb2_lower_rotation_zx,
+      limb2_lower_rotation_zy = limb2_U_0_sin * limb2_lower_sin, t57 = t55 - 0.5 * limb2_lower_rotation_zy;
+    WRITE(screws, 62, -t57);
+    const REAL t42 = t40 + k1 * limb2_lower_rotation_zy;
+    WRITE(screws, 56, -t42);
+    RESULT(checked0, screws, 64, t60 - minus_limb2_upper_position_x * t57);
+    RESULT(checked1, screws, 63, minus_limb2_upper_position_y * t57 + t59);
+    const REAL t48 = minus_limb2_upper_position_y * t37, t43 = minus_limb2_upper_position_y * t42;
+    RESULT(checked2, screws, 58, minus_limb2_upper_position_z * t37 - minus_limb2_upper_position_x * t42);
     const REAL limb2_S_screws_y_wy = 0.5 * limb2_lower_sin - k1 * limb2_lower_cos;
     WRITE(screws, 55, limb2_S_screws_y_wy);
-    const REAL t51 = minus_limb2_upper_position_x * limb2_S_screws_y_wy + t50;
-    checked3 = checked3 + t51;
-    WRITE(screws, 59, -t51);
-    RESULT(checked0, screws, 57, t45 + minus_limb2_upper_position_z * limb2_S_screws_y_wy);
-    const REAL t34 = limb2_U_0_sin * minus_limb2_upper_position_z,
-      t36 = t34 + minus_limb2_U_0_cos * minus_limb2_upper_position_x;
-    checked1 = checked1 + t36;
-    WRITE(screws, 52, -t36);
+    const REAL t49 = minus_limb2_upper_position_x * limb2_S_screws_y_wy + t48;
+    checked3 = checked3 + t49;
+    WRITE(screws, 59, -t49);
+    RESULT(checked0, screws, 57, t43 + minus_limb2_upper_position_z * limb2_S_screws_y_wy);
+    const REAL t32 = limb2_U_0_sin * minus_limb2_upper_position_z,
+      t34 = t32 + minus_limb2_U_0_cos * minus_limb2_upper_position_x;
+    checked1 = checked1 + t34;
+    WRITE(screws, 52, -t34);
     /* limb5_S: geometry */
-    const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t8 = limb5_S_q_qw * limb5_S_q_qw,
-      t9 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), limb5_S_q_qz = READ(q, 15), t10 = t8 + t9,
-      t11 = limb5_S_q_qy * limb5_S_q_qy, t12 = limb5_S_q_qz * limb5_S_q_qz, t14 = t10 + (t11 + t12), t21 = t9 + t12,
-      t16 = 4.0 - 2.0 * t14, platform_turn_yy = 1.0 - t16 * t21;
+    const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t6 = limb5_S_q_qw * limb5_S_q_qw,
+      t7 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), limb5_S_q_qz = READ(q, 15), t8 = t6 + t7,
+      t9 = limb5_S_q_qy * limb5_S_q_qy, t10 = limb5_S_q_qz * limb5_S_q_qz, t12 = t8 + (t9 + t10), t19 = t7 + t10,
+      t14 = 4.0 - 2.0 * t12, platform_turn_yy = 1.0 - t14 * t19;
     WRITE(screws, 25, platform_turn_yy);
-    const REAL t18 = limb5_S_q_qx * (limb5_S_q_qy * t16), t19 = limb5_S_q_qz * t16,
-      t25 = limb5_S_q_qw * (limb5_S_q_qx * t16), platform_turn_xy = t18 - limb5_S_q_qw * t19;
+    const REAL t16 = limb5_S_q_qx * (limb5_S_q_qy * t14), t17 = limb5_S_q_qz * t14,
+      t23 = limb5_S_q_qw * (limb5_S_q_qx * t14), platform_turn_xy = t16 - limb5_S_q_qw * t17;
     WRITE(screws, 24, platform_turn_xy);
-    const REAL platform_turn_zy = limb5_S_q_qy * t19 + t25;
+    const REAL platform_turn_zy = limb5_S_q_qy * t17 + t23;
     WRITE(screws, 26, platform_turn_zy);
     /* limb1: geometry; screws, eq. (5) */
     const REAL limb1_upper_offset_x = limb_upper_phase + READ(q, 2), limb1_lower_cos = SINES(cosine, 1);
@@ -813,31 +813,29 @@ BODY(three_ups_upu_s_joint_screws)(size_t stride, const double *restrict q, doub
     const REAL minus_limb1_upper_position_y = limb1_upper_offset_x * minus_limb1_lower_rotation_yx,
       limb1_lower_sin = SINES(sine, 1);
     WRITE(screws, 15, limb1_lower_sin);
-    const REAL t31 = platform_turn_xy * minus_limb1_upper_position_y,
+    const REAL t29 = platform_turn_xy * minus_limb1_upper_position_y,
       minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x;
-    RESULT(checked2, screws, 29, t31 - platform_turn_yy * minus_limb1_upper_position_x);
+    RESULT(checked2, screws, 29, t29 - platform_turn_yy * minus_limb1_upper_position_x);
     const REAL limb1_U_0_cos = SINES(cosine, 0);
     WRITE(screws, 7, limb1_U_0_cos);
     const REAL limb1_lower_rotation_zx = limb1_U_0_cos * limb1_lower_cos;
     WRITE(screws, 17, limb1_lower_rotation_zx);
     const REAL limb1_upper_position_z = limb1_upper_offset_x * limb1_lower_rotation_zx;
     /* limb1: screws, eq. (5); geometry */
-    const REAL t27 = platform_turn_yy * limb1_upper_position_z;
+    const REAL t25 = platform_turn_yy * limb1_upper_position_z, t2 = limb1_lower_cos * limb1_upper_position_z;
     RESULT(checked3, screws, 28, platform_turn_xy * limb1_upper_position_z + platform_turn_zy * minus_limb1_upper_position_x);
-    const REAL t28 = platform_turn_zy * minus_limb1_upper_position_y + t27;
-    checked0 = checked0 + t28;
-    WRITE(screws, 27, -t28);
-    const REAL limb1_lower_rotation_yy = limb1_U_0_sin * limb1_lower_sin;
+    const REAL t26 = platform_turn_zy * minus_limb1_upper_position_y + t25;
+    checked0 = checked0 + t26;
+    WRITE(screws, 27, -t26);
+    const REAL t4 = limb1_lower_cos * minus_limb1_upper_position_y,
+      limb1_lower_rotation_yy = limb1_U_0_sin * limb1_lower_sin;
     WRITE(screws, 19, limb1_lower_rotation_yy);
-    const REAL t7 = limb1_lower_rotation_yy * minus_limb1_upper_position_x,
-      t3 = limb1_lower_rotation_yy * limb1_upper_position_z, t4 = limb1_lower_cos * limb1_upper_position_z;
-    RESULT(checked1, screws, 23, limb1_lower_cos * minus_limb1_upper_position_y - t7);
+    RESULT(checked1, screws, 23, t4 - limb1_lower_rotation_yy * minus_limb1_upper_position_x);
     const REAL minus_limb1_lower_rotation_zy = limb1_U_0_cos * limb1_lower_sin;
-    RESULT(checked2, screws, 22, t4 - minus_limb1_lower_rotation_zy * minus_limb1_upper_position_x);
-    RESULT(checked3, screws, 21, minus_limb1_lower_rotation_zy * minus_limb1_upper_position_y - t3);
+    RESULT(checked2, screws, 22, t2 - minus_limb1_lower_rotation_zy * minus_limb1_upper_position_x);
     WRITE(screws, 20, -minus_limb1_lower_rotation_zy);
     const REAL minus_limb1_U_1_screw_vz = param_R * limb1_U_0_cos;
-    checked0 = checked0 + minus_limb1_U_1_screw_vz;
+    checked3 = checked3 + minus_limb1_U_1_screw_vz;
     WRITE(screws, 11, -minus_limb1_U_1_screw_vz);
     WRITE(screws, 0, CONSTANT(1.0));
     WRITE(screws, 1, CONSTANT(0.0));
@@ -850,6 +848,7 @@ BODY(three_ups_upu_s_joint_screws)(size_t stride, const double *restrict q, doub
     WRITE(screws, 12, CONSTANT(0.0));
     WRITE(screws, 13, CONSTANT(0.0));
     WRITE(screws, 14, CONSTANT(0.0));
+    WRITE(screws, 21, CONSTANT(0.0));
     WRITE(screws, 30, CONSTANT(0.0));
     WRITE(screws, 31, CONSTANT(1.0));
     WRITE(screws, 32, CONSTANT(0.0));
@@ -905,8 +904,8 @@ BODY(three_ups_upu_s_joint_screws)(size_t stride, const double *restrict q, doub
     WRITE(screws, 154, CONSTANT(0.0));
     WRITE(screws, 155, CONSTANT(0.0));
     /* else status 5: no rotation */
-    NOT_BELOW(t14, 0.999999, 5);
-    NOT_ABOVE(t14, 1.000001, 5);
+    NOT_BELOW(t12, 0.999999, 5);
+    NOT_ABOVE(t12, 1.000001, 5);
     FINITE((checked0 + checked1) + (checked2 + checked3));
 }
 #endif
@@ -1311,12 +1310,17 @@ BODY(three_ups_upu_s_drive_positions)(size_t stride, const double *restrict pose
       limb3_lower_limb_target_x = t14 + t18,
       t43 = limb3_lower_limb_target_x * limb3_lower_limb_target_x, /* limb3 */
       t19 = minus_limb1_lower_limb_target_x * minus_limb1_lower_limb_target_x, /* limb1 */
-      platform_turn_xz = t20 + t21, t22 = 0.5 * (t20 - t21), t30 = param_H * platform_turn_xz,
-      minus_limb1_lower_limb_target_y = t22 - t25, limb3_lower_limb_target_y = t22 + t25,
-      t45 = t43 + limb3_lower_limb_target_y * limb3_lower_limb_target_y; /* limb3 */
+      t53 = platform_turn_yy * minus_limb1_lower_limb_target_x, /* limb1 */
+      t40 = 0.5 * platform_turn_yy, platform_turn_xz = t20 + t21, t22 = 0.5 * (t20 - t21),
+      t30 = param_H * platform_turn_xz, minus_limb1_lower_limb_target_y = t22 - t25,
+      limb3_lower_limb_target_y = t22 + t25,
+      t45 = t43 + limb3_lower_limb_target_y * limb3_lower_limb_target_y, /* limb3 */
+      t27 = t19 + minus_limb1_lower_limb_target_y * minus_limb1_lower_limb_target_y, /* limb1 */
+      t55 = t53 + platform_turn_zy * minus_limb1_lower_limb_target_y, /* limb1 */
+      t33 = 0.5 * platform_turn_zy;
     /* limb1: geometry; results; loop closure */
-    const REAL t27 = t19 + minus_limb1_lower_limb_target_y * minus_limb1_lower_limb_target_y,
-      limb1_lower_limb_target_z = param_R - (t29 - t30), minus_limb3_lower_limb_target_z = param_R - (t29 + t30),
+    const REAL limb1_lower_limb_target_z = param_R - (t29 - t30),
+      minus_limb3_lower_limb_target_z = param_R - (t29 + t30),
       limb3_P_positions = SQRT(t45 + minus_limb3_lower_limb_target_z * minus_limb3_lower_limb_target_z) - limb_upper_phase;
     WRITE(positions, 2, limb3_P_positions);
     REAL checked0 = limb3_P_positions;
@@ -1324,17 +1328,10 @@ BODY(three_ups_upu_s_drive_positions)(size_t stride, const double *restrict pose
       limb1_P_positions = limb1_lower_limb_length - limb_upper_phase;
     WRITE(positions, 0, limb1_P_positions);
     REAL checked1 = limb1_P_positions;
-    const REAL minus_limb1_U_0_lever_mz_by_limb1_U2_fz = SQRT(t27), t53 = 1.0 / limb1_lower_limb_length,
-      limb1_lower_sin = limb1_lower_limb_target_z * t53,
-      limb1_lower_cos = minus_limb1_U_0_lever_mz_by_limb1_U2_fz * t53,
-      t54 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz,
-      minus_limb1_U_0_cos = minus_limb1_lower_limb_target_y * t54,
-      t55 = platform_turn_yy * (minus_limb1_lower_limb_target_x * t54),
-      t40 = 0.5 * platform_turn_yy, /* platform */
-      t58 = limb1_lower_sin * (t55 + platform_turn_zy * minus_limb1_U_0_cos),
-      t33 = 0.5 * platform_turn_zy, /* platform */
-      limb1_U2_opening_mn = t58 + platform_turn_xy * limb1_lower_cos, t60 = limb1_U2_opening_mn * limb1_U2_opening_mn,
-      t35 = 0.5 * platform_turn_xy, /* platform */
+    const REAL minus_limb1_U_0_lever_mz_by_limb1_U2_fz = SQRT(t27),
+      t57 = limb1_lower_limb_target_z * (t55 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz),
+      limb1_U2_opening_mn = (t57 + platform_turn_xy * minus_limb1_U_0_lever_mz_by_limb1_U2_fz) / limb1_lower_limb_length,
+      t60 = limb1_U2_opening_mn * limb1_U2_opening_mn, t35 = 0.5 * platform_turn_xy, /* platform */
       limb2_lower_limb_target_x = t25 - t33, limb4_lower_limb_target_x = t25 + t33,
       t34 = limb2_lower_limb_target_x * limb2_lower_limb_target_x, /* limb2 */
       t48 = limb4_lower_limb_target_x * limb4_lower_limb_target_x, /* limb4 */
