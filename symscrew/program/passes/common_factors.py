@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from symscrew.algebra import LEAVES, Node, handed_on, remade, uses
+from symscrew.algebra import LEAVES, Node, handed_on, needed, remade, uses
 
 SUMS = frozenset(("add", "sub"))
 LONG = 8
@@ -40,7 +40,15 @@ class _Product:
 
 
 def factored(roots: Sequence[Node]) -> list[Node]:
-    """The same expressions with common factors taken out."""
+    """The same expressions with common factors taken out, if operations become fewer by it.
+
+    A factored result may be the negative of what the tape holds, which is one operation more where nothing reads it.
+    """
+    found = _factored(roots)
+    return found if found != roots and len(needed(found)) < len(needed(roots)) else list(roots)
+
+
+def _factored(roots: Sequence[Node]) -> list[Node]:
     read = uses(roots)
     nodes = roots[0].tape.nodes if roots else []
     sums = [node for node in map(nodes.__getitem__, read) if node.op in SUMS]
