@@ -349,7 +349,7 @@ BODY(three_ups_upu_s_closure_bias)(size_t stride, const double *restrict q, cons
 
 #if !defined(THREE_UPS_UPU_S_LANES) || THREE_UPS_UPU_S_LANES == 4
 typedef struct {
-    EACH4 S_arm_x, minus_U_0_lever_mz_by_S_fz, t1, t2, signed_upper_position_x, checked;
+    EACH4 minus_U_0_lever_mz_by_S_fz, t1, signed_upper_position_x, S_arm_x, t2, checked;
 } LIMBS(velocity);
 
 STAGE(velocity, 0)(size_t limb, size_t stride, const double *restrict q, const double *restrict sine,
@@ -360,35 +360,35 @@ STAGE(velocity, 0)(size_t limb, size_t stride, const double *restrict q, const d
     /* each limb: geometry; reciprocal wrenches, eq. (10); rates that follow */
     const LIMB4 upper_offset_x = IN_EACH4(READ, q, 2, 3) + limb_upper_phase,
       signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
+    OWN(signed_upper_position_x) = signed_lower_sin * upper_offset_x + (-param_R);
     OWN(S_arm_x) = upper_offset_x - param_R * signed_lower_sin;
     const LIMB4 lower_cos = IN_EACH4(SINES, cosine, 1, 2);
     OWN(minus_U_0_lever_mz_by_S_fz) = lower_cos * upper_offset_x;
     LIMB4 checked = OWN(minus_U_0_lever_mz_by_S_fz);
     OWN(t1) = sign1 / OWN(minus_U_0_lever_mz_by_S_fz);
     OWN(t2) = lower_cos * OWN(t1);
-    OWN(signed_upper_position_x) = signed_lower_sin * upper_offset_x + (-param_R);
     OWN(checked) = checked;
 }
 
 STAGE(velocity, 1)(size_t limb, size_t stride, double *restrict v, const double *restrict sine,
-    const double *restrict cosine, REAL minus_limb5_S_joint_rate_wz, const EACH4 signed_limb5_S_joint_rate_wy,
+    const double *restrict cosine, REAL limb5_S_joint_rate_wz, const EACH4 signed_limb5_S_joint_rate_wy,
     const EACH4 signed_limb5_S_joint_rate_wx, LIMBS(velocity) *own)
 {
     (void)limb, (void)stride;
     const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, 1.0), sign2 = OF4(1.0, -1.0, -1.0, 1.0),
-      sign3 = OF4(1.0, 1.0, -1.0, 1.0), sign4 = OF4(1.0, 1.0, 1.0, -1.0);
-    const LIMB4 U_0_cos = IN_EACH4(SINES, cosine, 0, 2), signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2);
+      sign3 = OF4(1.0, 1.0, -1.0, 1.0), sign4 = OF4(1.0, -1.0, 1.0, -1.0);
+    const LIMB4 signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2), U_0_cos = IN_EACH4(SINES, cosine, 0, 2);
     /* each limb: velocities, eq. (6) */
-    const LIMB4 t8 = U_0_cos * GIVEN(signed_limb5_S_joint_rate_wy) - signed_U_0_sin * minus_limb5_S_joint_rate_wz,
+    const LIMB4 t8 = signed_U_0_sin * limb5_S_joint_rate_wz + U_0_cos * GIVEN(signed_limb5_S_joint_rate_wy),
       signed_P_joint_rate = param_R * IN_EACH4(SINES, cosine, 1, 2) * t8;
     WRITE4(v, 2, 5, 8, 11, sign2 * signed_P_joint_rate);
     LIMB4 checked = OWN(checked) + signed_P_joint_rate;
     const LIMB4 signed_U_joint_rate_1 = OWN(t2) * (OWN(S_arm_x) * t8);
     WRITE4(v, 1, 4, 7, 10, sign3 * signed_U_joint_rate_1);
     checked = checked + signed_U_joint_rate_1;
-    const LIMB4 t4 = OWN(signed_upper_position_x) * (U_0_cos * minus_limb5_S_joint_rate_wz + signed_U_0_sin * GIVEN(signed_limb5_S_joint_rate_wy)),
-      signed_U_joint_rate_0 = OWN(t1) * t4 - sign1 * GIVEN(signed_limb5_S_joint_rate_wx);
-    WRITE4(v, 0, 3, 6, 9, sign4 * signed_U_joint_rate_0);
+    const LIMB4 t4 = OWN(signed_upper_position_x) * (U_0_cos * limb5_S_joint_rate_wz - signed_U_0_sin * GIVEN(signed_limb5_S_joint_rate_wy)),
+      signed_U_joint_rate_0 = sign1 * (OWN(t1) * t4) + GIVEN(signed_limb5_S_joint_rate_wx);
+    WRITE4(v, 0, 3, 6, 9, -sign4 * signed_U_joint_rate_0);
     checked = checked + signed_U_joint_rate_0;
     OWN(checked) = checked;
 }
@@ -397,65 +397,64 @@ BODY(three_ups_upu_s_velocity)(size_t stride, const double *restrict q, const do
     double *restrict v, const double *restrict sine, const double *restrict cosine, double *restrict total)
 {
     LIMBS(velocity) limbs;
-    /* limb5_S: velocities, eq. (6) */
+    /* limb5_S: geometry; velocities, eq. (6) */
     const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t1 = limb5_S_q_qw * limb5_S_q_qw,
       t2 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t3 = t1 + t2, t4 = limb5_S_q_qy * limb5_S_q_qy,
-      limb5_S_q_qz = READ(q, 15), t5 = limb5_S_q_qz * limb5_S_q_qz, t6 = t4 + t5, t7 = t3 + t6;
-    /* limb5_S: geometry; velocities, eq. (6) */
-    const REAL t15 = t2 + t5, t75 = t2 + t4, t14 = 4.0 - 2.0 * t7, platform_turn_yy = 1.0 - t14 * t15,
-      t9 = k2 - 0.5 * t7, platform_turn_xx = 1.0 - t6 * t14, platform_turn_zz = 1.0 - t14 * t75,
-      t18 = limb5_S_q_qz * t14, t19 = limb5_S_q_qy * t18, t21 = limb5_S_q_qw * (limb5_S_q_qx * t14),
-      t25 = limb5_S_q_qy * t14, platform_turn_zy = t19 + t21, limb1_U_0_cos = SINES(cosine, 0),
-      limb1_U_0_sin = SINES(sine, 0), limb1_lower_cos = SINES(cosine, 1), platform_turn_yz = t19 - t21,
-      t24 = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy), /* limb1 */
-      t26 = limb5_S_q_qx * t25, t66 = limb5_S_q_qw * t25, t27 = limb5_S_q_qw * t18, t65 = limb5_S_q_qx * t18,
-      platform_turn_xy = t26 - t27;
+      limb5_S_q_qz = READ(q, 15), t5 = limb5_S_q_qz * limb5_S_q_qz, t6 = t4 + t5, t7 = t3 + t6, t10 = t2 + t5,
+      t69 = t2 + t4, t9 = 4.0 - 2.0 * t7, platform_turn_yy = 1.0 - t9 * t10, t35 = k2 - 0.5 * t7,
+      platform_turn_xx = 1.0 - t6 * t9, platform_turn_zz = 1.0 - t9 * t69, t13 = limb5_S_q_qz * t9,
+      t14 = limb5_S_q_qy * t13, t16 = limb5_S_q_qw * (limb5_S_q_qx * t9), t24 = limb5_S_q_qy * t9,
+      platform_turn_zy = t14 + t16, limb1_U_0_cos = SINES(cosine, 0), limb1_U_0_sin = SINES(sine, 0),
+      limb1_lower_cos = SINES(cosine, 1), platform_turn_yz = t14 - t16,
+      t23 = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy), /* limb1 */
+      t25 = limb5_S_q_qx * t24, t59 = limb5_S_q_qw * t24, t26 = limb5_S_q_qw * t13, t58 = limb5_S_q_qx * t13,
+      platform_turn_xy = t25 - t26;
     /* limb1: geometry; reciprocal wrenches, eq. (10); rates that follow */
-    const REAL limb1_lower_sin = SINES(sine, 1), platform_turn_yx = t26 + t27,
-      limb1_U2_constraint_mn_couple_z = t24 - limb1_lower_sin * platform_turn_xy;
+    const REAL limb1_lower_sin = SINES(sine, 1), platform_turn_yx = t25 + t26,
+      limb1_U2_constraint_mn_couple_z = t23 - limb1_lower_sin * platform_turn_xy;
     FIRST_LIMB(0, velocity, 0, stride, q, sine, cosine, &limbs);
     const REAL minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limbs.S_arm_x[0] * (limb1_U2_constraint_mn_couple_z * limbs.t2[0]),
-      t30 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3, t38 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3,
+      t29 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3, t32 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3,
       limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy,
-      minus_limb1_U2_factor_1_by_3 = limb1_U2_constraint_mn_couple_x * (limb1_lower_cos + limbs.t1[0] * (limb1_lower_sin * limbs.signed_upper_position_x[0]));
+      t18 = limbs.signed_upper_position_x[0] * (limb1_lower_sin * limb1_U2_constraint_mn_couple_x * limbs.t1[0]),
+      minus_limb1_U2_factor_1_by_3 = limb1_lower_cos * limb1_U2_constraint_mn_couple_x + t18;
     /* limb5_S: pivots; rates that follow */
-    const REAL minus_limb5_S_pivot_wz = t30 + limb1_U_0_cos * minus_limb1_U2_factor_1_by_3;
+    const REAL minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + t29;
     REAL checked0 = minus_limb5_S_pivot_wz;
-    const REAL t37 = 1.0 / minus_limb5_S_pivot_wz,
-      t40 = t38 - limb1_U_0_sin * minus_limb1_U2_factor_1_by_3, /* limb1 */
-      t41 = t37 * t40;
+    const REAL t30 = 1.0 / minus_limb5_S_pivot_wz,
+      t33 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t32, /* limb1 */
+      limb5_S_null_space_wz_by_limb5_S_wy = t30 * t33;
     /* limb5_S: velocities, eq. (6); geometry */
-    const REAL t42 = limb5_S_q_qy * t9 * t41, t10 = limb5_S_q_qz * t9, t44 = 0.5 * (t10 + t42), t11 = 0.5 * t10,
-      limb5_S_y_dot_qx = READ(y_dot, 0), limb5_S_y_dot_qy = READ(y_dot, 1), t45 = t11 * t44,
-      t58 = t11 * limb5_S_y_dot_qx, t54 = limb5_S_y_dot_qy * t44, t49 = limb5_S_q_qx * t9 * t41,
-      t46 = limb5_S_q_qw * t9, t51 = 0.5 * (t46 - t49), t47 = 0.5 * t46, a_pivot = t45 + t47 * t51;
+    const REAL t44 = limb5_S_q_qy * t35 * limb5_S_null_space_wz_by_limb5_S_wy, t39 = limb5_S_q_qz * t35,
+      t46 = 0.5 * (t39 - t44), t40 = 0.5 * t39, limb5_S_y_dot_qx = READ(y_dot, 0), limb5_S_y_dot_qy = READ(y_dot, 1),
+      t47 = t40 * t46, t41 = t40 * limb5_S_y_dot_qx, t55 = limb5_S_y_dot_qy * t46,
+      t49 = limb5_S_q_qx * t35 * limb5_S_null_space_wz_by_limb5_S_wy, t36 = limb5_S_q_qw * t35,
+      t51 = 0.5 * (t36 + t49), t37 = 0.5 * t36, a_pivot = t47 + t37 * t51;
     REAL checked1 = a_pivot;
-    const REAL t53 = 1.0 / a_pivot, limb5_S_joint_rate_wy = (t47 * limb5_S_y_dot_qy + t58) * t53,
-      minus_limb5_S_joint_rate_wz = t37 * (t40 * limb5_S_joint_rate_wy),
-      t61 = platform_turn_yx * limb5_S_joint_rate_wy,
-      minus_limb5_S_joint_rate_wx = t53 * (t54 - limb5_S_y_dot_qx * t51),
-      t64 = t61 - platform_turn_xx * minus_limb5_S_joint_rate_wx,
-      t71 = platform_turn_zy * minus_limb5_S_joint_rate_wz,
-      platform_omega_y = platform_turn_yy * limb5_S_joint_rate_wy - platform_turn_xy * minus_limb5_S_joint_rate_wx - t71;
+    const REAL t53 = 1.0 / a_pivot, limb5_S_joint_rate_wy = (t37 * limb5_S_y_dot_qy + t41) * t53,
+      limb5_S_joint_rate_wz = t30 * (t33 * limb5_S_joint_rate_wy), t61 = platform_turn_yx * limb5_S_joint_rate_wy,
+      minus_limb5_S_joint_rate_wx = t53 * (t55 - limb5_S_y_dot_qx * t51),
+      t64 = t61 - platform_turn_xx * minus_limb5_S_joint_rate_wx, t65 = platform_turn_zy * limb5_S_joint_rate_wz,
+      platform_omega_y = t65 + (platform_turn_yy * limb5_S_joint_rate_wy - platform_turn_xy * minus_limb5_S_joint_rate_wx);
     WRITE(v, 13, platform_omega_y);
     REAL checked2 = platform_omega_y;
-    const REAL t77 = platform_turn_zz * minus_limb5_S_joint_rate_wz, t72 = platform_turn_yz * limb5_S_joint_rate_wy,
-      platform_turn_xz = t65 + t66, platform_omega_x = t64 - (t65 - t66) * minus_limb5_S_joint_rate_wz;
+    const REAL t71 = platform_turn_zz * limb5_S_joint_rate_wz, t72 = platform_turn_yz * limb5_S_joint_rate_wy,
+      platform_turn_xz = t58 + t59, platform_omega_x = (t58 - t59) * limb5_S_joint_rate_wz + t64;
     WRITE(v, 12, platform_omega_x);
     REAL checked3 = platform_omega_x;
-    RESULT(checked0, v, 14, t72 - platform_turn_xz * minus_limb5_S_joint_rate_wx - t77);
+    RESULT(checked0, v, 14, t71 + (t72 - platform_turn_xz * minus_limb5_S_joint_rate_wx));
     const EACH4 signed_limb5_S_joint_rate_wy = {limb5_S_joint_rate_wy, minus_limb5_S_joint_rate_wx, limb5_S_joint_rate_wy, minus_limb5_S_joint_rate_wx},
       signed_limb5_S_joint_rate_wx = {minus_limb5_S_joint_rate_wx, limb5_S_joint_rate_wy, minus_limb5_S_joint_rate_wx, limb5_S_joint_rate_wy};
-    FIRST_LIMB(0, velocity, 1, stride, v, sine, cosine, minus_limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, signed_limb5_S_joint_rate_wx, &limbs);
+    FIRST_LIMB(0, velocity, 1, stride, v, sine, cosine, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, signed_limb5_S_joint_rate_wx, &limbs);
     checked1 = checked1 + ALONE(limbs.checked[0]);
     NEXT_LIMB(1, velocity, 0, stride, q, sine, cosine, &limbs);
-    NEXT_LIMB(1, velocity, 1, stride, v, sine, cosine, minus_limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, signed_limb5_S_joint_rate_wx, &limbs);
+    NEXT_LIMB(1, velocity, 1, stride, v, sine, cosine, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, signed_limb5_S_joint_rate_wx, &limbs);
     checked2 = checked2 + ALONE(limbs.checked[1]);
     NEXT_LIMB(2, velocity, 0, stride, q, sine, cosine, &limbs);
-    NEXT_LIMB(2, velocity, 1, stride, v, sine, cosine, minus_limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, signed_limb5_S_joint_rate_wx, &limbs);
+    NEXT_LIMB(2, velocity, 1, stride, v, sine, cosine, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, signed_limb5_S_joint_rate_wx, &limbs);
     checked3 = checked3 + ALONE(limbs.checked[2]);
     NEXT_LIMB(3, velocity, 0, stride, q, sine, cosine, &limbs);
-    NEXT_LIMB(3, velocity, 1, stride, v, sine, cosine, minus_limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, signed_limb5_S_joint_rate_wx, &limbs);
+    NEXT_LIMB(3, velocity, 1, stride, v, sine, cosine, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, signed_limb5_S_joint_rate_wx, &limbs);
     checked0 = checked0 + ALONE(limbs.checked[3]);
     /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
@@ -470,61 +469,64 @@ BODY(three_ups_upu_s_velocity)(size_t stride, const double *restrict q, const do
 
 #if !defined(THREE_UPS_UPU_S_LANES)
 typedef struct {
-    EACH4 S_arm_x, minus_U_0_lever_mz_by_S_fz, t1, t2, signed_upper_position_x, checked;
+    EACH4 signed_upper_position_x, minus_U_0_lever_mz_by_S_fz, t1, S_arm_x, t2, checked;
 } LIMBS(null_space);
 
 STAGE(null_space, 0)(size_t limb, size_t stride, const double *restrict q, const double *restrict sine,
     const double *restrict cosine, LIMBS(null_space) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0);
+    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, 1.0);
     /* each limb: geometry; reciprocal wrenches, eq. (10); rates that follow */
     const LIMB4 upper_offset_x = IN_EACH4(READ, q, 2, 3) + limb_upper_phase,
       signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
+    OWN(signed_upper_position_x) = signed_lower_sin * upper_offset_x + (-param_R);
     OWN(S_arm_x) = upper_offset_x - param_R * signed_lower_sin;
     const LIMB4 lower_cos = IN_EACH4(SINES, cosine, 1, 2);
     OWN(minus_U_0_lever_mz_by_S_fz) = lower_cos * upper_offset_x;
     LIMB4 checked = OWN(minus_U_0_lever_mz_by_S_fz);
     OWN(t1) = sign1 / OWN(minus_U_0_lever_mz_by_S_fz);
     OWN(t2) = lower_cos * OWN(t1);
-    OWN(signed_upper_position_x) = signed_lower_sin * upper_offset_x + (-param_R);
     OWN(checked) = checked;
 }
 
 STAGE(null_space, 1)(size_t limb, size_t stride, double *restrict null_space, const double *restrict sine,
-    const double *restrict cosine, REAL given, REAL limb5_S_null_space_wy_by_limb5_S_qx,
-    REAL limb5_S_null_space_wx_by_limb5_S_qx, REAL given_2, REAL limb5_S_null_space_wy_by_limb5_S_qy,
+    const double *restrict cosine, REAL limb5_S_null_space_wz_by_limb5_S_qx,
+    REAL limb5_S_null_space_wy_by_limb5_S_qx, REAL limb5_S_null_space_wx_by_limb5_S_qx,
+    REAL limb5_S_null_space_wz_by_limb5_S_qy, REAL limb5_S_null_space_wy_by_limb5_S_qy,
     REAL limb5_S_null_space_wy_by_limb5_S_qy_2, LIMBS(null_space) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0), sign2 = OF4(1.0, 1.0, -1.0, -1.0),
-      sign3 = OF4(1.0, -1.0, -1.0, 1.0);
-    const LIMB4 t19 = sign1 * given, U_0_cos = IN_EACH4(SINES, cosine, 0, 2),
-      signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2);
+    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0), sign2 = OF4(1.0, 1.0, -1.0, 1.0),
+      sign3 = OF4(1.0, -1.0, -1.0, -1.0), sign4 = OF4(1.0, 1.0, 1.0, -1.0), sign5 = OF4(1.0, -1.0, -1.0, 1.0);
+    const LIMB4 t19 = sign1 * limb5_S_null_space_wy_by_limb5_S_qx, signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2),
+      U_0_cos = IN_EACH4(SINES, cosine, 0, 2);
     /* each limb: rates that follow; reciprocal wrenches, eq. (10) */
-    const LIMB4 t6 = signed_U_0_sin * t19,
-      t4 = OWN(signed_upper_position_x) * (U_0_cos * t19 + signed_U_0_sin * limb5_S_null_space_wy_by_limb5_S_qx),
-      U_null_space_0_by_limb5_S_qx = limb5_S_null_space_wx_by_limb5_S_qx + OWN(t1) * t4;
+    const LIMB4 t7 = U_0_cos * t19,
+      t4 = OWN(signed_upper_position_x) * (U_0_cos * limb5_S_null_space_wz_by_limb5_S_qx - signed_U_0_sin * t19),
+      U_null_space_0_by_limb5_S_qx = limb5_S_null_space_wx_by_limb5_S_qx - sign2 * (OWN(t1) * t4);
     WRITE4(null_space, 0, 3, 6, 9, U_null_space_0_by_limb5_S_qx);
     LIMB4 checked = OWN(checked) + U_null_space_0_by_limb5_S_qx;
-    const LIMB4 t8 = t6 - U_0_cos * limb5_S_null_space_wy_by_limb5_S_qx,
+    const LIMB4 t8 = signed_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qx + t7,
       signed_U_null_space_1_by_limb5_S_qx = OWN(t2) * (OWN(S_arm_x) * t8);
-    WRITE4(null_space, 1, 4, 7, 10, -sign2 * signed_U_null_space_1_by_limb5_S_qx);
+    WRITE4(null_space, 1, 4, 7, 10, sign4 * signed_U_null_space_1_by_limb5_S_qx);
     checked = checked + signed_U_null_space_1_by_limb5_S_qx;
     const LIMB4 signed_S_arm_y = param_R * IN_EACH4(SINES, cosine, 1, 2),
       signed_P_null_space_by_limb5_S_qx = signed_S_arm_y * t8;
-    WRITE4(null_space, 2, 5, 8, 11, -sign2 * signed_P_null_space_by_limb5_S_qx);
+    WRITE4(null_space, 2, 5, 8, 11, sign5 * signed_P_null_space_by_limb5_S_qx);
     checked = checked + signed_P_null_space_by_limb5_S_qx;
-    const LIMB4 t13 = OWN(signed_upper_position_x) * (U_0_cos * given_2 + signed_U_0_sin * limb5_S_null_space_wy_by_limb5_S_qy),
-      signed_U_null_space_0_by_limb5_S_qy = limb5_S_null_space_wy_by_limb5_S_qy_2 - OWN(t1) * t13;
-    WRITE4(null_space, 15, 18, 21, 24, -sign1 * signed_U_null_space_0_by_limb5_S_qy);
+    const LIMB4 t11 = signed_U_0_sin * limb5_S_null_space_wy_by_limb5_S_qy,
+      t14 = OWN(t1) * (OWN(signed_upper_position_x) * (t11 - U_0_cos * limb5_S_null_space_wz_by_limb5_S_qy)),
+      signed_U_null_space_0_by_limb5_S_qy = t14 - sign3 * limb5_S_null_space_wy_by_limb5_S_qy_2;
+    WRITE4(null_space, 15, 18, 21, 24, sign2 * signed_U_null_space_0_by_limb5_S_qy);
     checked = checked + signed_U_null_space_0_by_limb5_S_qy;
-    const LIMB4 t17 = signed_U_0_sin * given_2 - U_0_cos * limb5_S_null_space_wy_by_limb5_S_qy,
+    const LIMB4 t15 = signed_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qy,
+      t17 = t15 + U_0_cos * limb5_S_null_space_wy_by_limb5_S_qy,
       signed_P_null_space_by_limb5_S_qy = signed_S_arm_y * t17;
-    WRITE4(null_space, 17, 20, 23, 26, -sign3 * signed_P_null_space_by_limb5_S_qy);
+    WRITE4(null_space, 17, 20, 23, 26, sign5 * signed_P_null_space_by_limb5_S_qy);
     checked = checked + signed_P_null_space_by_limb5_S_qy;
     const LIMB4 signed_U_null_space_1_by_limb5_S_qy = OWN(t2) * (OWN(S_arm_x) * t17);
-    WRITE4(null_space, 16, 19, 22, 25, -sign3 * signed_U_null_space_1_by_limb5_S_qy);
+    WRITE4(null_space, 16, 19, 22, 25, sign4 * signed_U_null_space_1_by_limb5_S_qy);
     checked = checked + signed_U_null_space_1_by_limb5_S_qy;
     OWN(checked) = checked;
 }
@@ -538,63 +540,69 @@ BODY(three_ups_upu_s_null_space)(size_t stride, const double *restrict q, double
       t2 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t3 = t1 + t2, t4 = limb5_S_q_qy * limb5_S_q_qy,
       limb5_S_q_qz = READ(q, 15), t5 = limb5_S_q_qz * limb5_S_q_qz, t6 = t4 + t5, t7 = t3 + t6;
     /* limb5_S: geometry; rates that follow */
-    const REAL t14 = t2 + t5, t70 = t2 + t4, t13 = 4.0 - 2.0 * t7, platform_turn_yy = 1.0 - t13 * t14,
-      t9 = k2 - 0.5 * t7, platform_turn_xx = 1.0 - t6 * t13, platform_turn_zz = 1.0 - t13 * t70,
+    const REAL t14 = t2 + t5, t63 = t2 + t4, t13 = 4.0 - 2.0 * t7, platform_turn_yy = 1.0 - t13 * t14,
+      t9 = k2 - 0.5 * t7, platform_turn_xx = 1.0 - t6 * t13, platform_turn_zz = 1.0 - t13 * t63,
       t17 = limb5_S_q_qz * t13, t18 = limb5_S_q_qy * t17, t20 = limb5_S_q_qw * (limb5_S_q_qx * t13),
-      t24 = limb5_S_q_qy * t13, platform_turn_zy = t18 + t20, platform_turn_yz = t18 - t20,
+      t28 = limb5_S_q_qy * t13, platform_turn_zy = t18 + t20, platform_turn_yz = t18 - t20,
       limb1_U_0_cos = SINES(cosine, 0), limb1_U_0_sin = SINES(sine, 0), limb1_lower_cos = SINES(cosine, 1),
-      t23 = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy), /* limb1 */
-      t25 = limb5_S_q_qx * t24, t61 = limb5_S_q_qw * t24, t26 = limb5_S_q_qw * t17, t60 = limb5_S_q_qx * t17,
-      platform_turn_xy = t25 - t26, platform_turn_yx = t25 + t26;
+      t27 = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy), /* limb1 */
+      t29 = limb5_S_q_qx * t28, t53 = limb5_S_q_qw * t28, t30 = limb5_S_q_qw * t17, t52 = limb5_S_q_qx * t17,
+      platform_turn_xy = t29 - t30, platform_turn_yx = t29 + t30;
     /* limb1: geometry; reciprocal wrenches, eq. (10); rates that follow */
     const REAL limb1_lower_sin = SINES(sine, 1),
-      limb1_U2_constraint_mn_couple_z = t23 - limb1_lower_sin * platform_turn_xy;
+      limb1_U2_constraint_mn_couple_z = t27 - limb1_lower_sin * platform_turn_xy;
     FIRST_LIMB(0, null_space, 0, stride, q, sine, cosine, &limbs);
     const REAL minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limbs.S_arm_x[0] * (limb1_U2_constraint_mn_couple_z * limbs.t2[0]),
-      t29 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3, t37 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3,
+      t33 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3, t36 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3,
       limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy,
-      minus_limb1_U2_factor_1_by_3 = limb1_U2_constraint_mn_couple_x * (limb1_lower_cos + limbs.t1[0] * (limb1_lower_sin * limbs.signed_upper_position_x[0]));
+      t22 = limbs.signed_upper_position_x[0] * (limb1_lower_sin * limb1_U2_constraint_mn_couple_x * limbs.t1[0]),
+      minus_limb1_U2_factor_1_by_3 = limb1_lower_cos * limb1_U2_constraint_mn_couple_x + t22;
     /* limb5_S: pivots */
-    const REAL minus_limb5_S_pivot_wz = t29 + limb1_U_0_cos * minus_limb1_U2_factor_1_by_3;
+    const REAL minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + t33;
     REAL checked0 = minus_limb5_S_pivot_wz;
     /* limb5_S: rates that follow; geometry */
-    const REAL t36 = 1.0 / minus_limb5_S_pivot_wz,
-      t39 = t37 - limb1_U_0_sin * minus_limb1_U2_factor_1_by_3, /* limb1 */
-      t40 = t36 * t39, t47 = limb5_S_q_qy * t9 * t40, t44 = limb5_S_q_qz * t9, t49 = 0.5 * (t44 + t47),
-      t45 = 0.5 * t44, t50 = t45 * t49, t41 = limb5_S_q_qx * t9 * t40, t10 = limb5_S_q_qw * t9,
-      t43 = 0.5 * (t10 - t41), t51 = 0.5 * t10, a_pivot = t50 + t51 * t43;
+    const REAL t34 = 1.0 / minus_limb5_S_pivot_wz,
+      t37 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t36, /* limb1 */
+      limb5_S_null_space_wz_by_limb5_S_wy = t34 * t37, t44 = limb5_S_q_qy * t9 * limb5_S_null_space_wz_by_limb5_S_wy,
+      t41 = limb5_S_q_qz * t9, t46 = 0.5 * (t41 - t44), t42 = 0.5 * t41, t47 = t42 * t46,
+      t38 = limb5_S_q_qx * t9 * limb5_S_null_space_wz_by_limb5_S_wy, t10 = limb5_S_q_qw * t9, t40 = 0.5 * (t10 + t38),
+      t48 = 0.5 * t10, a_pivot = t47 + t48 * t40;
     REAL checked1 = a_pivot;
-    const REAL t53 = 1.0 / a_pivot, limb5_S_null_space_wy_by_limb5_S_qx = t45 * t53,
-      limb5_S_null_space_wx_by_limb5_S_qx = t43 * t53, limb5_S_null_space_wy_by_limb5_S_qy = t51 * t53,
-      t73 = t49 * t53, t55 = t36 * (t39 * limb5_S_null_space_wy_by_limb5_S_qx),
-      t75 = t36 * (t39 * limb5_S_null_space_wy_by_limb5_S_qy);
-    FIRST_LIMB(0, null_space, 1, stride, null_space, sine, cosine, t55, limb5_S_null_space_wy_by_limb5_S_qx, limb5_S_null_space_wx_by_limb5_S_qx, t75, limb5_S_null_space_wy_by_limb5_S_qy, t73, &limbs);
+    const REAL t50 = 1.0 / a_pivot, limb5_S_null_space_wy_by_limb5_S_qx = t42 * t50,
+      limb5_S_null_space_wx_by_limb5_S_qx = t40 * t50, limb5_S_null_space_wy_by_limb5_S_qy = t48 * t50,
+      t70 = t46 * t50, limb5_S_null_space_wz_by_limb5_S_qx = t34 * (t37 * limb5_S_null_space_wy_by_limb5_S_qx),
+      limb5_S_null_space_wz_by_limb5_S_qy = t34 * (t37 * limb5_S_null_space_wy_by_limb5_S_qy);
+    FIRST_LIMB(0, null_space, 1, stride, null_space, sine, cosine, limb5_S_null_space_wz_by_limb5_S_qx, limb5_S_null_space_wy_by_limb5_S_qx, limb5_S_null_space_wx_by_limb5_S_qx, limb5_S_null_space_wz_by_limb5_S_qy, limb5_S_null_space_wy_by_limb5_S_qy, t70, &limbs);
     REAL checked2 = ALONE(limbs.checked[0]);
-    const REAL platform_turn_zx = t60 - t61, platform_turn_xz = t60 + t61, t62 = platform_turn_zx * t55,
-      t79 = platform_turn_zx * t75, t56 = platform_turn_yx * limb5_S_null_space_wy_by_limb5_S_qx,
-      t76 = platform_turn_yx * limb5_S_null_space_wy_by_limb5_S_qy,
-      limb5_S_null_space_wx_by_limb5_S_qx_2 = t56 + platform_turn_xx * limb5_S_null_space_wx_by_limb5_S_qx - t62;
+    const REAL platform_turn_zx = t52 - t53, platform_turn_xz = t52 + t53,
+      t54 = platform_turn_zx * limb5_S_null_space_wz_by_limb5_S_qx,
+      t71 = platform_turn_zx * limb5_S_null_space_wz_by_limb5_S_qy,
+      t55 = platform_turn_yx * limb5_S_null_space_wy_by_limb5_S_qx,
+      t72 = platform_turn_yx * limb5_S_null_space_wy_by_limb5_S_qy,
+      limb5_S_null_space_wx_by_limb5_S_qx_2 = t54 + (t55 + platform_turn_xx * limb5_S_null_space_wx_by_limb5_S_qx);
     WRITE(null_space, 12, limb5_S_null_space_wx_by_limb5_S_qx_2);
     REAL checked3 = limb5_S_null_space_wx_by_limb5_S_qx_2;
-    RESULT(checked0, null_space, 27, t76 - platform_turn_xx * t73 - t79);
-    const REAL t66 = platform_turn_zy * t55, t83 = platform_turn_zy * t75,
-      t63 = platform_turn_yy * limb5_S_null_space_wy_by_limb5_S_qx,
-      t80 = platform_turn_yy * limb5_S_null_space_wy_by_limb5_S_qy;
-    RESULT(checked1, null_space, 13, t63 + platform_turn_xy * limb5_S_null_space_wx_by_limb5_S_qx - t66);
-    RESULT(checked2, null_space, 28, t80 - platform_turn_xy * t73 - t83);
-    const REAL t72 = platform_turn_zz * t55, t87 = platform_turn_zz * t75,
-      t67 = platform_turn_yz * limb5_S_null_space_wy_by_limb5_S_qx,
-      t84 = platform_turn_yz * limb5_S_null_space_wy_by_limb5_S_qy;
-    RESULT(checked3, null_space, 14, t67 + platform_turn_xz * limb5_S_null_space_wx_by_limb5_S_qx - t72);
-    RESULT(checked0, null_space, 29, t84 - platform_turn_xz * t73 - t87);
+    RESULT(checked0, null_space, 27, t71 + (t72 - platform_turn_xx * t70));
+    const REAL t59 = platform_turn_zy * limb5_S_null_space_wz_by_limb5_S_qx,
+      t75 = platform_turn_zy * limb5_S_null_space_wz_by_limb5_S_qy,
+      t60 = platform_turn_yy * limb5_S_null_space_wy_by_limb5_S_qx,
+      t76 = platform_turn_yy * limb5_S_null_space_wy_by_limb5_S_qy;
+    RESULT(checked1, null_space, 13, t59 + (t60 + platform_turn_xy * limb5_S_null_space_wx_by_limb5_S_qx));
+    RESULT(checked2, null_space, 28, t75 + (t76 - platform_turn_xy * t70));
+    const REAL t65 = platform_turn_zz * limb5_S_null_space_wz_by_limb5_S_qx,
+      t79 = platform_turn_zz * limb5_S_null_space_wz_by_limb5_S_qy,
+      t66 = platform_turn_yz * limb5_S_null_space_wy_by_limb5_S_qx,
+      t80 = platform_turn_yz * limb5_S_null_space_wy_by_limb5_S_qy;
+    RESULT(checked3, null_space, 14, t65 + (t66 + platform_turn_xz * limb5_S_null_space_wx_by_limb5_S_qx));
+    RESULT(checked0, null_space, 29, t79 + (t80 - platform_turn_xz * t70));
     NEXT_LIMB(1, null_space, 0, stride, q, sine, cosine, &limbs);
-    NEXT_LIMB(1, null_space, 1, stride, null_space, sine, cosine, t55, limb5_S_null_space_wx_by_limb5_S_qx, limb5_S_null_space_wy_by_limb5_S_qx, t75, t73, limb5_S_null_space_wy_by_limb5_S_qy, &limbs);
+    NEXT_LIMB(1, null_space, 1, stride, null_space, sine, cosine, limb5_S_null_space_wz_by_limb5_S_qx, limb5_S_null_space_wx_by_limb5_S_qx, limb5_S_null_space_wy_by_limb5_S_qx, limb5_S_null_space_wz_by_limb5_S_qy, t70, limb5_S_null_space_wy_by_limb5_S_qy, &limbs);
     checked1 = checked1 + ALONE(limbs.checked[1]);
     NEXT_LIMB(2, null_space, 0, stride, q, sine, cosine, &limbs);
-    NEXT_LIMB(2, null_space, 1, stride, null_space, sine, cosine, t55, limb5_S_null_space_wy_by_limb5_S_qx, limb5_S_null_space_wx_by_limb5_S_qx, t75, limb5_S_null_space_wy_by_limb5_S_qy, t73, &limbs);
+    NEXT_LIMB(2, null_space, 1, stride, null_space, sine, cosine, limb5_S_null_space_wz_by_limb5_S_qx, limb5_S_null_space_wy_by_limb5_S_qx, limb5_S_null_space_wx_by_limb5_S_qx, limb5_S_null_space_wz_by_limb5_S_qy, limb5_S_null_space_wy_by_limb5_S_qy, t70, &limbs);
     checked2 = checked2 + ALONE(limbs.checked[2]);
     NEXT_LIMB(3, null_space, 0, stride, q, sine, cosine, &limbs);
-    NEXT_LIMB(3, null_space, 1, stride, null_space, sine, cosine, t55, limb5_S_null_space_wx_by_limb5_S_qx, limb5_S_null_space_wy_by_limb5_S_qx, t75, t73, limb5_S_null_space_wy_by_limb5_S_qy, &limbs);
+    NEXT_LIMB(3, null_space, 1, stride, null_space, sine, cosine, limb5_S_null_space_wz_by_limb5_S_qx, limb5_S_null_space_wx_by_limb5_S_qx, limb5_S_null_space_wy_by_limb5_S_qx, limb5_S_null_space_wz_by_limb5_S_qy, t70, limb5_S_null_space_wy_by_limb5_S_qy, &limbs);
     checked3 = checked3 + ALONE(limbs.checked[3]);
     /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);

@@ -2,7 +2,7 @@
 
 Mechanism: three_ups_upu_s, two rotations about O, four driven sliders; inertias as printed in Table 3
 Effects: Gravity(acceleration=(0, 0, '-9.81'))
-Programs: c04168573995f360
+Programs: 26f4764ccb5869f7
 Note: bodies.platform: the radius of gyration 5.665 m exceeds the body's extent 1.0 m (joint points,
   named points and centre of mass); are inertia and units right?
 Note: bodies.limb1_lower, bodies.limb1_upper, bodies.limb2_lower, bodies.limb2_upper,
@@ -2809,7 +2809,7 @@ def velocity(*arguments):
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
       5 no rotation: the length of a quaternion differs from 1 by more than rounding; all outputs are
         NaN
-    Operations: 243 (add 87, mul 119, div 6, trig 16, compare 15)
+    Operations: 244 (add 87, mul 120, div 6, trig 16, compare 15)
     Note: independent coordinates y: limb5_S.qx, limb5_S.qy
     """
     entries, batch = _entries("velocity", {"q": 16, "y_dot": 2}, arguments)
@@ -2819,136 +2819,138 @@ def velocity(*arguments):
         limb5_S_q_qy, limb5_S_q_qz, limb5_S_y_dot_qx, limb5_S_y_dot_qy,
     ) = entries
     with np.errstate(all="ignore"):
-        # limb5_S: velocities, eq. (6)
-        t1 = limb5_S_q_qw * limb5_S_q_qw
-        t2 = limb5_S_q_qx * limb5_S_q_qx
-        t3 = t1 + t2
-        t4 = limb5_S_q_qy * limb5_S_q_qy
-        t5 = limb5_S_q_qz * limb5_S_q_qz
-        t6 = t4 + t5
-        t7 = t3 + t6
-        t9 = 1.5 - 0.5 * t7
-        t10 = limb5_S_q_qz * t9
-        t11 = 0.5 * t10
-        t12 = limb5_S_q_qy * t9
-        limb1_U_0_sin = np.sin(limb1_U_q_0)
-        t13 = 0.5235987755982989 + limb1_U_q_1  # limb1
-        limb1_lower_cos = np.cos(t13)
-        # limb5_S: geometry
-        t15 = 4.0 - 2.0 * t7
-        platform_turn_yy = 1.0 - t15 * (t2 + t5)
-        t18 = limb1_U_0_sin * platform_turn_yy  # limb1
+        # limb1: geometry; reciprocal wrenches, eq. (10); rates that follow
+        t1 = 0.5235987755982989 + limb1_U_q_1
+        limb1_lower_cos = np.cos(t1)
+        limb1_upper_offset_x = 0.3 + limb1_P_q
+        minus_limb1_U_0_lever_mz_by_limb1_U2_fz = limb1_lower_cos * limb1_upper_offset_x
+        t2 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz
+        limb1_lower_sin = np.sin(t1)
+        minus_limb1_upper_position_x = 0.8 - limb1_lower_sin * limb1_upper_offset_x
         limb1_U_0_cos = np.cos(limb1_U_q_0)
-        t19 = limb5_S_q_qz * t15
-        t20 = limb5_S_q_qy * t19
-        t22 = limb5_S_q_qw * (limb5_S_q_qx * t15)
-        platform_turn_zy = t20 + t22
-        # limb1: reciprocal wrenches, eq. (10); geometry; rates that follow
-        t25 = limb1_lower_cos * (t18 - limb1_U_0_cos * platform_turn_zy)
-        limb1_lower_sin = np.sin(t13)
-        t26 = limb5_S_q_qy * t15  # limb5_S
+        # limb5_S: geometry
+        t3 = limb5_S_q_qw * limb5_S_q_qw
+        t4 = limb5_S_q_qx * limb5_S_q_qx
+        t5 = t3 + t4
+        t6 = limb5_S_q_qy * limb5_S_q_qy
+        t7 = limb5_S_q_qz * limb5_S_q_qz
+        t8 = t6 + t7
+        t9 = t5 + t8
+        t11 = 4.0 - 2.0 * t9
+        platform_turn_yy = 1.0 - t11 * (t4 + t7)
+        t14 = limb1_U_0_cos * platform_turn_yy  # limb1
+        limb1_U_0_sin = np.sin(limb1_U_q_0)
+        t15 = limb5_S_q_qz * t11
+        t16 = limb5_S_q_qy * t15
+        t18 = limb5_S_q_qw * (limb5_S_q_qx * t11)
+        platform_turn_zy = t16 + t18
+        # limb1: reciprocal wrenches, eq. (10); rates that follow; pivots
+        limb1_U2_constraint_mn_couple_x = t14 + limb1_U_0_sin * platform_turn_zy
+        limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x
+        minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn - minus_limb1_upper_position_x * (limb1_lower_sin * limb1_U2_constraint_mn_couple_x * t2)
+        t21 = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3
+        t25 = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy)
+        t26 = limb5_S_q_qy * t11  # limb5_S
         t27 = limb5_S_q_qx * t26  # limb5_S
-        t28 = limb5_S_q_qw * t19  # limb5_S
+        t28 = limb5_S_q_qw * t15  # limb5_S
         platform_turn_xy = t27 - t28
         limb1_U2_constraint_mn_couple_z = t25 - limb1_lower_sin * platform_turn_xy
-        limb1_upper_offset_x = 0.3 + limb1_P_q
         limb1_U2_arm_x = limb1_upper_offset_x - 0.8 * limb1_lower_sin
-        minus_limb1_U_0_lever_mz_by_limb1_U2_fz = limb1_lower_cos * limb1_upper_offset_x
-        t31 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz
-        t32 = limb1_lower_cos * t31
-        minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * (limb1_U2_constraint_mn_couple_z * t32)
-        t34 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3
-        limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy
-        minus_limb1_upper_position_x = 0.8 - limb1_lower_sin * limb1_upper_offset_x
-        minus_limb1_U2_factor_1_by_3 = limb1_U2_constraint_mn_couple_x * (limb1_lower_cos - t31 * (limb1_lower_sin * minus_limb1_upper_position_x))
+        t31 = limb1_lower_cos * t2
+        minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * (limb1_U2_constraint_mn_couple_z * t31)
         # limb5_S: pivots; rates that follow
-        minus_limb5_S_pivot_wz = t34 + limb1_U_0_cos * minus_limb1_U2_factor_1_by_3
-        t41 = 1.0 / minus_limb5_S_pivot_wz
-        t44 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3 - limb1_U_0_sin * minus_limb1_U2_factor_1_by_3  # limb1
-        t45 = t41 * t44
-        # limb5_S: velocities, eq. (6)
-        t48 = 0.5 * (t10 + t12 * t45)
-        t49 = t11 * t48
-        t50 = limb5_S_q_qw * t9
-        t51 = 0.5 * t50
-        t55 = 0.5 * (t50 - limb5_S_q_qx * t9 * t45)
-        a_pivot = t49 + t51 * t55
+        minus_limb5_S_pivot_wz = t21 + limb1_U_0_sin * minus_limb1_U2_factor_0_by_3
+        t34 = 1.0 / minus_limb5_S_pivot_wz
+        t37 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - limb1_U_0_cos * minus_limb1_U2_factor_0_by_3  # limb1
+        # limb5_S: velocities, eq. (6); rates that follow
+        t39 = 1.5 - 0.5 * t9
+        t40 = limb5_S_q_qw * t39
+        t41 = 0.5 * t40
+        t42 = t41 * limb5_S_y_dot_qy
+        t43 = limb5_S_q_qz * t39
+        t44 = 0.5 * t43
+        t46 = t42 + t44 * limb5_S_y_dot_qx
+        t47 = limb5_S_q_qy * t39
+        limb5_S_null_space_wz_by_limb5_S_wy = t34 * t37
+        t50 = 0.5 * (t43 - t47 * limb5_S_null_space_wz_by_limb5_S_wy)
+        t51 = t44 * t50
+        t55 = 0.5 * (t40 + limb5_S_q_qx * t39 * limb5_S_null_space_wz_by_limb5_S_wy)
+        a_pivot = t51 + t41 * t55
         t57 = 1.0 / a_pivot
-        minus_limb5_S_joint_rate_wx = t57 * (limb5_S_y_dot_qy * t48 - limb5_S_y_dot_qx * t55)
-        limb5_S_joint_rate_wy = (t51 * limb5_S_y_dot_qy + t11 * limb5_S_y_dot_qx) * t57
-        minus_limb5_S_joint_rate_wz = t41 * (t44 * limb5_S_joint_rate_wy)
-        # limb1: velocities, eq. (6)
-        t68 = minus_limb1_upper_position_x * (limb1_U_0_cos * minus_limb5_S_joint_rate_wz + limb1_U_0_sin * limb5_S_joint_rate_wy)
-        minus_limb1_U_joint_rate_0 = minus_limb5_S_joint_rate_wx + t31 * t68
-        limb1_U_joint_rate_0 = -minus_limb1_U_joint_rate_0
-        t72 = limb1_U_0_sin * minus_limb5_S_joint_rate_wz - limb1_U_0_cos * limb5_S_joint_rate_wy
-        minus_limb1_U_joint_rate_1 = t32 * (limb1_U2_arm_x * t72)
-        limb1_U_joint_rate_1 = -minus_limb1_U_joint_rate_1
-        minus_limb1_P_joint_rate = 0.8 * limb1_lower_cos * t72
-        limb1_P_joint_rate = -minus_limb1_P_joint_rate
+        limb5_S_joint_rate_wy = t46 * t57
+        limb5_S_joint_rate_wz = t34 * (t37 * limb5_S_joint_rate_wy)
+        t62 = minus_limb1_upper_position_x * (limb1_U_0_cos * limb5_S_joint_rate_wz - limb1_U_0_sin * limb5_S_joint_rate_wy)  # limb1
+        t63 = t2 * t62  # limb1
+        minus_limb5_S_joint_rate_wx = t57 * (limb5_S_y_dot_qy * t50 - limb5_S_y_dot_qx * t55)
+        limb1_U_joint_rate_0 = t63 - minus_limb5_S_joint_rate_wx
+        t69 = limb1_U_0_sin * limb5_S_joint_rate_wz + limb1_U_0_cos * limb5_S_joint_rate_wy  # limb1
+        limb1_U_joint_rate_1 = t31 * (limb1_U2_arm_x * t69)
+        limb1_P_joint_rate = 0.8 * limb1_lower_cos * t69
         # limb2: geometry; reciprocal wrenches, eq. (10); velocities, eq. (6)
-        t73 = 2.6179938779914944 + limb2_U_q_1
-        limb2_lower_cos = np.cos(t73)
+        t70 = 2.6179938779914944 + limb2_U_q_1
+        limb2_lower_cos = np.cos(t70)
         limb2_upper_offset_x = 0.3 + limb2_P_q
         minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x
-        t74 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
-        limb2_lower_sin = np.sin(t73)
+        t71 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
+        limb2_lower_sin = np.sin(t70)
         minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
         limb2_U_0_sin = np.cos(limb2_U_q_0)
-        t75 = limb2_U_0_sin * minus_limb5_S_joint_rate_wz
+        # limb2: velocities, eq. (6); geometry; reciprocal wrenches, eq. (10)
+        t72 = limb2_U_0_sin * limb5_S_joint_rate_wz
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
-        t79 = t74 * (minus_limb2_upper_position_y * (t75 + minus_limb2_U_0_cos * minus_limb5_S_joint_rate_wx))
-        limb2_U_joint_rate_0 = limb5_S_joint_rate_wy + t79
-        t80 = limb2_lower_cos * t74
+        t76 = t71 * (minus_limb2_upper_position_y * (t72 - minus_limb2_U_0_cos * minus_limb5_S_joint_rate_wx))
+        limb2_U_joint_rate_0 = limb5_S_joint_rate_wy - t76
         limb2_S_arm_x = limb2_upper_offset_x - 0.8 * limb2_lower_sin
-        t84 = minus_limb2_U_0_cos * minus_limb5_S_joint_rate_wz - limb2_U_0_sin * minus_limb5_S_joint_rate_wx
-        limb2_U_joint_rate_1 = t80 * (limb2_S_arm_x * t84)
-        limb2_P_joint_rate = 0.8 * limb2_lower_cos * t84
+        t80 = minus_limb2_U_0_cos * limb5_S_joint_rate_wz + limb2_U_0_sin * minus_limb5_S_joint_rate_wx
+        minus_limb2_U_joint_rate_1 = limb2_S_arm_x * t80 * (limb2_lower_cos * t71)
+        limb2_U_joint_rate_1 = -minus_limb2_U_joint_rate_1
+        minus_limb2_P_joint_rate = 0.8 * limb2_lower_cos * t80
+        limb2_P_joint_rate = -minus_limb2_P_joint_rate
         # limb3: geometry; reciprocal wrenches, eq. (10); velocities, eq. (6)
-        t85 = 0.5235987755982989 - limb3_U_q_1
-        limb3_lower_cos = np.cos(t85)
+        t82 = 0.5235987755982989 - limb3_U_q_1
+        limb3_lower_cos = np.cos(t82)
         limb3_upper_offset_x = 0.3 + limb3_P_q
         minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x
-        t86 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
-        minus_limb3_lower_sin = np.sin(t85)
+        t83 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
+        minus_limb3_lower_sin = np.sin(t82)
         limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
         limb3_U_0_cos = np.cos(limb3_U_q_0)
-        t87 = limb3_U_0_cos * minus_limb5_S_joint_rate_wz
+        t84 = limb3_U_0_cos * limb5_S_joint_rate_wz
         limb3_U_0_sin = np.sin(limb3_U_q_0)
-        limb3_U_joint_rate_0 = t86 * (limb3_upper_position_x * (t87 + limb3_U_0_sin * limb5_S_joint_rate_wy)) - minus_limb5_S_joint_rate_wx
-        t92 = limb3_lower_cos * t86
+        minus_limb3_U_joint_rate_0 = minus_limb5_S_joint_rate_wx + t83 * (limb3_upper_position_x * (t84 - limb3_U_0_sin * limb5_S_joint_rate_wy))
+        limb3_U_joint_rate_0 = -minus_limb3_U_joint_rate_0
         limb3_S_arm_x = limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin
-        t96 = limb3_U_0_sin * minus_limb5_S_joint_rate_wz - limb3_U_0_cos * limb5_S_joint_rate_wy
-        minus_limb3_U_joint_rate_1 = t92 * (limb3_S_arm_x * t96)
-        limb3_U_joint_rate_1 = -minus_limb3_U_joint_rate_1
-        limb3_P_joint_rate = 0.8 * limb3_lower_cos * t96
+        t92 = limb3_U_0_sin * limb5_S_joint_rate_wz + limb3_U_0_cos * limb5_S_joint_rate_wy
+        limb3_U_joint_rate_1 = limb3_S_arm_x * t92 * (limb3_lower_cos * t83)
+        minus_limb3_P_joint_rate = 0.8 * limb3_lower_cos * t92
+        limb3_P_joint_rate = -minus_limb3_P_joint_rate
         # limb4: geometry; reciprocal wrenches, eq. (10); velocities, eq. (6)
-        t97 = 2.6179938779914944 - limb4_U_q_1
-        limb4_lower_cos = np.cos(t97)
+        t94 = 2.6179938779914944 - limb4_U_q_1
+        limb4_lower_cos = np.cos(t94)
         limb4_upper_offset_x = 0.3 + limb4_P_q
         minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x
-        t98 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz
-        minus_limb4_lower_sin = np.sin(t97)
+        t95 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz
+        minus_limb4_lower_sin = np.sin(t94)
         limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
         limb4_U_0_sin = np.cos(limb4_U_q_0)
-        t99 = limb4_U_0_sin * minus_limb5_S_joint_rate_wz
+        t96 = limb4_U_0_sin * limb5_S_joint_rate_wz
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
-        limb4_U_joint_rate_0 = limb5_S_joint_rate_wy - t98 * (limb4_upper_position_y * (t99 + minus_limb4_U_0_cos * minus_limb5_S_joint_rate_wx))
-        t104 = limb4_lower_cos * t98
+        limb4_U_joint_rate_0 = limb5_S_joint_rate_wy + t95 * (limb4_upper_position_y * (t96 - minus_limb4_U_0_cos * minus_limb5_S_joint_rate_wx))
         limb4_S_arm_x = limb4_upper_offset_x - 0.8 * minus_limb4_lower_sin
-        t108 = minus_limb4_U_0_cos * minus_limb5_S_joint_rate_wz - limb4_U_0_sin * minus_limb5_S_joint_rate_wx
-        limb4_U_joint_rate_1 = t104 * (limb4_S_arm_x * t108)
-        minus_limb4_P_joint_rate = 0.8 * limb4_lower_cos * t108
-        limb4_P_joint_rate = -minus_limb4_P_joint_rate
-        # platform: velocities, eq. (6); geometry
-        t112 = (t27 + t28) * limb5_S_joint_rate_wy - (1.0 - t6 * t15) * minus_limb5_S_joint_rate_wx
-        t113 = limb5_S_q_qx * t19
-        t114 = limb5_S_q_qw * t26
-        platform_omega_x = t112 - (t113 - t114) * minus_limb5_S_joint_rate_wz
-        t118 = platform_turn_yy * limb5_S_joint_rate_wy - platform_turn_xy * minus_limb5_S_joint_rate_wx
-        platform_omega_y = t118 - platform_turn_zy * minus_limb5_S_joint_rate_wz
-        t122 = (t20 - t22) * limb5_S_joint_rate_wy - (t113 + t114) * minus_limb5_S_joint_rate_wx
-        platform_omega_z = t122 - (1.0 - t15 * (t2 + t4)) * minus_limb5_S_joint_rate_wz
+        t104 = minus_limb4_U_0_cos * limb5_S_joint_rate_wz + limb4_U_0_sin * minus_limb5_S_joint_rate_wx
+        minus_limb4_U_joint_rate_1 = limb4_S_arm_x * t104 * (limb4_lower_cos * t95)
+        limb4_U_joint_rate_1 = -minus_limb4_U_joint_rate_1
+        limb4_P_joint_rate = 0.8 * limb4_lower_cos * t104
+        # platform: geometry; velocities, eq. (6)
+        t106 = limb5_S_q_qx * t15
+        t107 = limb5_S_q_qw * t26
+        t108 = (t106 - t107) * limb5_S_joint_rate_wz
+        t112 = (t27 + t28) * limb5_S_joint_rate_wy - (1.0 - t8 * t11) * minus_limb5_S_joint_rate_wx
+        platform_omega_x = t108 + t112
+        t113 = platform_turn_zy * limb5_S_joint_rate_wz
+        platform_omega_y = t113 + (platform_turn_yy * limb5_S_joint_rate_wy - platform_turn_xy * minus_limb5_S_joint_rate_wx)
+        t119 = (1.0 - t11 * (t4 + t6)) * limb5_S_joint_rate_wz
+        platform_omega_z = t119 + ((t16 - t18) * limb5_S_joint_rate_wy - (t106 + t107) * minus_limb5_S_joint_rate_wx)
         return _finish(batch, ((limb1_U_joint_rate_0, limb1_U_joint_rate_1, limb1_P_joint_rate,
             limb2_U_joint_rate_0, limb2_U_joint_rate_1, limb2_P_joint_rate, limb3_U_joint_rate_0,
             limb3_U_joint_rate_1, limb3_P_joint_rate, limb4_U_joint_rate_0, limb4_U_joint_rate_1,
@@ -2958,13 +2960,13 @@ def velocity(*arguments):
             (minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-10),
             (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-10), (minus_limb5_S_pivot_wz,
             1.0e-09), (a_pivot, 1.0e-09)), (minus_limb1_U_0_lever_mz_by_limb1_U2_fz,
-            minus_limb5_S_pivot_wz, a_pivot, minus_limb1_U_joint_rate_0, minus_limb1_U_joint_rate_1,
-            minus_limb1_P_joint_rate, minus_limb2_U_0_lever_mz_by_limb2_S_fz, limb2_U_joint_rate_0,
-            limb2_U_joint_rate_1, limb2_P_joint_rate, minus_limb3_U_0_lever_mz_by_limb3_S_fz,
-            limb3_U_joint_rate_0, minus_limb3_U_joint_rate_1, limb3_P_joint_rate,
-            minus_limb4_U_0_lever_mz_by_limb4_S_fz, limb4_U_joint_rate_0, limb4_U_joint_rate_1,
-            minus_limb4_P_joint_rate, platform_omega_x, platform_omega_y, platform_omega_z), ((t7,
-            0.999999, 1.000001, 5),))
+            minus_limb5_S_pivot_wz, a_pivot, limb1_U_joint_rate_0, limb1_U_joint_rate_1,
+            limb1_P_joint_rate, minus_limb2_U_0_lever_mz_by_limb2_S_fz, limb2_U_joint_rate_0,
+            minus_limb2_U_joint_rate_1, minus_limb2_P_joint_rate,
+            minus_limb3_U_0_lever_mz_by_limb3_S_fz, minus_limb3_U_joint_rate_0,
+            limb3_U_joint_rate_1, minus_limb3_P_joint_rate, minus_limb4_U_0_lever_mz_by_limb4_S_fz,
+            limb4_U_joint_rate_0, minus_limb4_U_joint_rate_1, limb4_P_joint_rate, platform_omega_x,
+            platform_omega_y, platform_omega_z), ((t9, 0.999999, 1.000001, 5),))
 
 
 def null_space(*arguments):
@@ -2994,7 +2996,7 @@ def null_space(*arguments):
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
       5 no rotation: the length of a quaternion differs from 1 by more than rounding; all outputs are
         NaN
-    Operations: 323 (add 122, mul 164, div 6, trig 16, compare 15)
+    Operations: 324 (add 122, mul 165, div 6, trig 16, compare 15)
     Note: independent coordinates y: limb5_S.qx, limb5_S.qy
     """
     entries, batch = _entries("null_space", {"q": 16}, arguments)
@@ -3004,7 +3006,7 @@ def null_space(*arguments):
         limb5_S_q_qy, limb5_S_q_qz,
     ) = entries
     with np.errstate(all="ignore"):
-        # limb5_S: rates that follow
+        # limb5_S: rates that follow; geometry
         t1 = limb5_S_q_qw * limb5_S_q_qw
         t2 = limb5_S_q_qx * limb5_S_q_qx
         t3 = t1 + t2
@@ -3015,172 +3017,187 @@ def null_space(*arguments):
         t9 = 1.5 - 0.5 * t7
         t10 = limb5_S_q_qw * t9
         t11 = limb5_S_q_qx * t9
-        limb1_U_0_sin = np.sin(limb1_U_q_0)
+        limb1_U_0_cos = np.cos(limb1_U_q_0)
         t12 = 0.5235987755982989 + limb1_U_q_1  # limb1
         limb1_lower_cos = np.cos(t12)
-        # limb5_S: geometry
         t14 = 4.0 - 2.0 * t7
         platform_turn_yy = 1.0 - t14 * (t2 + t5)
-        t17 = limb1_U_0_sin * platform_turn_yy  # limb1
-        limb1_U_0_cos = np.cos(limb1_U_q_0)
-        t18 = limb5_S_q_qz * t14
-        t19 = limb5_S_q_qy * t18
-        t21 = limb5_S_q_qw * (limb5_S_q_qx * t14)
-        platform_turn_zy = t19 + t21
         # limb1: reciprocal wrenches, eq. (10); geometry; rates that follow
-        t24 = limb1_lower_cos * (t17 - limb1_U_0_cos * platform_turn_zy)
+        t17 = limb1_U_0_cos * platform_turn_yy
+        limb1_U_0_sin = np.sin(limb1_U_q_0)
+        t18 = limb5_S_q_qz * t14  # limb5_S
+        t19 = limb5_S_q_qy * t18  # limb5_S
+        t21 = limb5_S_q_qw * (limb5_S_q_qx * t14)  # limb5_S
+        platform_turn_zy = t19 + t21
+        limb1_U2_constraint_mn_couple_x = t17 + limb1_U_0_sin * platform_turn_zy
+        limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x
         limb1_lower_sin = np.sin(t12)
-        t25 = limb5_S_q_qy * t14  # limb5_S
-        t26 = limb5_S_q_qx * t25  # limb5_S
-        t27 = limb5_S_q_qw * t18  # limb5_S
-        platform_turn_xy = t26 - t27
-        limb1_U2_constraint_mn_couple_z = t24 - limb1_lower_sin * platform_turn_xy
         limb1_upper_offset_x = 0.3 + limb1_P_q
-        limb1_U2_arm_x = limb1_upper_offset_x - 0.8 * limb1_lower_sin
-        minus_limb1_U_0_lever_mz_by_limb1_U2_fz = limb1_lower_cos * limb1_upper_offset_x
-        t30 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz
-        t31 = limb1_lower_cos * t30
-        minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * (limb1_U2_constraint_mn_couple_z * t31)
-        t33 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3
-        limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy
         minus_limb1_upper_position_x = 0.8 - limb1_lower_sin * limb1_upper_offset_x
-        minus_limb1_U2_factor_1_by_3 = limb1_U2_constraint_mn_couple_x * (limb1_lower_cos - t30 * (limb1_lower_sin * minus_limb1_upper_position_x))
+        limb1_U_0_lever_mz_by_limb1_U2_mn = limb1_lower_sin * limb1_U2_constraint_mn_couple_x
+        minus_limb1_U_0_lever_mz_by_limb1_U2_fz = limb1_lower_cos * limb1_upper_offset_x
+        t23 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz
+        minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn - minus_limb1_upper_position_x * (limb1_U_0_lever_mz_by_limb1_U2_mn * t23)
+        t25 = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3
+        t29 = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy)
+        t30 = limb5_S_q_qy * t14  # limb5_S
+        t31 = limb5_S_q_qx * t30  # limb5_S
+        t32 = limb5_S_q_qw * t18  # limb5_S
+        platform_turn_xy = t31 - t32
+        limb1_U2_constraint_mn_couple_z = t29 - limb1_lower_sin * platform_turn_xy
+        limb1_U2_arm_x = limb1_upper_offset_x - 0.8 * limb1_lower_sin
+        t35 = limb1_lower_cos * t23
+        minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * (limb1_U2_constraint_mn_couple_z * t35)
         # limb5_S: pivots
-        minus_limb5_S_pivot_wz = t33 + limb1_U_0_cos * minus_limb1_U2_factor_1_by_3
+        minus_limb5_S_pivot_wz = t25 + limb1_U_0_sin * minus_limb1_U2_factor_0_by_3
         # limb5_S: rates that follow
-        t40 = 1.0 / minus_limb5_S_pivot_wz
-        t43 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3 - limb1_U_0_sin * minus_limb1_U2_factor_1_by_3  # limb1
-        t44 = t40 * t43
-        t47 = 0.5 * (t10 - t11 * t44)
-        t48 = limb5_S_q_qz * t9
-        t49 = 0.5 * t48
-        t53 = 0.5 * (t48 + limb5_S_q_qy * t9 * t44)
-        t54 = t49 * t53
-        t55 = 0.5 * t10
-        a_pivot = t54 + t55 * t47
-        t57 = 1.0 / a_pivot
-        limb5_S_null_space_wx_by_limb5_S_qx = t47 * t57
-        limb5_S_null_space_wy_by_limb5_S_qx = t49 * t57
-        t59 = t40 * (t43 * limb5_S_null_space_wy_by_limb5_S_qx)
+        t38 = 1.0 / minus_limb5_S_pivot_wz
+        t41 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - limb1_U_0_cos * minus_limb1_U2_factor_0_by_3  # limb1
+        limb5_S_null_space_wz_by_limb5_S_wy = t38 * t41
+        t44 = 0.5 * (t10 + t11 * limb5_S_null_space_wz_by_limb5_S_wy)
+        t45 = limb5_S_q_qz * t9
+        t46 = 0.5 * t45
+        t50 = 0.5 * (t45 - limb5_S_q_qy * t9 * limb5_S_null_space_wz_by_limb5_S_wy)
+        t51 = t46 * t50
+        t52 = 0.5 * t10
+        a_pivot = t51 + t52 * t44
+        t54 = 1.0 / a_pivot
+        limb5_S_null_space_wx_by_limb5_S_qx = t44 * t54
+        limb5_S_null_space_wy_by_limb5_S_qx = t46 * t54
+        limb5_S_null_space_wz_by_limb5_S_qx = t38 * (t41 * limb5_S_null_space_wy_by_limb5_S_qx)
         # limb1: rates that follow; reciprocal wrenches, eq. (10)
-        t63 = minus_limb1_upper_position_x * (limb1_U_0_cos * t59 + limb1_U_0_sin * limb5_S_null_space_wy_by_limb5_S_qx)
-        limb1_U_null_space_0_by_limb5_S_qx = limb5_S_null_space_wx_by_limb5_S_qx - t30 * t63
-        t67 = limb1_U_0_sin * t59 - limb1_U_0_cos * limb5_S_null_space_wy_by_limb5_S_qx
-        minus_limb1_U_null_space_1_by_limb5_S_qx = t31 * (limb1_U2_arm_x * t67)
-        limb1_U_null_space_1_by_limb5_S_qx = -minus_limb1_U_null_space_1_by_limb5_S_qx
+        t56 = limb1_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qx
+        t60 = t23 * (minus_limb1_upper_position_x * (t56 - limb1_U_0_sin * limb5_S_null_space_wy_by_limb5_S_qx))
+        limb1_U_null_space_0_by_limb5_S_qx = limb5_S_null_space_wx_by_limb5_S_qx + t60
+        t61 = limb1_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qx
+        t63 = t61 + limb1_U_0_cos * limb5_S_null_space_wy_by_limb5_S_qx
+        limb1_U_null_space_1_by_limb5_S_qx = t35 * (limb1_U2_arm_x * t63)
         minus_limb1_U2_arm_y = 0.8 * limb1_lower_cos
-        minus_limb1_P_null_space_by_limb5_S_qx = minus_limb1_U2_arm_y * t67
-        limb1_P_null_space_by_limb5_S_qx = -minus_limb1_P_null_space_by_limb5_S_qx
+        limb1_P_null_space_by_limb5_S_qx = minus_limb1_U2_arm_y * t63
         # limb2: geometry; reciprocal wrenches, eq. (10); rates that follow
-        t69 = 2.6179938779914944 + limb2_U_q_1
-        limb2_lower_cos = np.cos(t69)
+        t65 = 2.6179938779914944 + limb2_U_q_1
+        limb2_lower_cos = np.cos(t65)
         limb2_upper_offset_x = 0.3 + limb2_P_q
         minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x
-        t70 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
-        limb2_lower_sin = np.sin(t69)
+        t66 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
+        limb2_lower_sin = np.sin(t65)
         minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
         limb2_U_0_sin = np.cos(limb2_U_q_0)
-        t71 = limb2_U_0_sin * t59
+        # limb2: rates that follow; geometry; reciprocal wrenches, eq. (10)
+        t67 = limb2_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qx
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
-        t74 = minus_limb2_upper_position_y * (t71 - minus_limb2_U_0_cos * limb5_S_null_space_wx_by_limb5_S_qx)
-        limb2_U_null_space_0_by_limb5_S_qx = limb5_S_null_space_wy_by_limb5_S_qx + t70 * t74
-        t76 = limb2_lower_cos * t70
+        t70 = minus_limb2_upper_position_y * (t67 + minus_limb2_U_0_cos * limb5_S_null_space_wx_by_limb5_S_qx)
+        limb2_U_null_space_0_by_limb5_S_qx = limb5_S_null_space_wy_by_limb5_S_qx - t66 * t70
+        t72 = limb2_lower_cos * t66
         limb2_S_arm_x = limb2_upper_offset_x - 0.8 * limb2_lower_sin
-        t80 = minus_limb2_U_0_cos * t59 + limb2_U_0_sin * limb5_S_null_space_wx_by_limb5_S_qx
-        limb2_U_null_space_1_by_limb5_S_qx = t76 * (limb2_S_arm_x * t80)
+        t74 = minus_limb2_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qx
+        t76 = t74 - limb2_U_0_sin * limb5_S_null_space_wx_by_limb5_S_qx
+        minus_limb2_U_null_space_1_by_limb5_S_qx = t72 * (limb2_S_arm_x * t76)
+        limb2_U_null_space_1_by_limb5_S_qx = -minus_limb2_U_null_space_1_by_limb5_S_qx
         minus_limb2_S_arm_y = 0.8 * limb2_lower_cos
-        limb2_P_null_space_by_limb5_S_qx = minus_limb2_S_arm_y * t80
+        minus_limb2_P_null_space_by_limb5_S_qx = minus_limb2_S_arm_y * t76
+        limb2_P_null_space_by_limb5_S_qx = -minus_limb2_P_null_space_by_limb5_S_qx
         # limb3: geometry; reciprocal wrenches, eq. (10); rates that follow
-        t82 = 0.5235987755982989 - limb3_U_q_1
-        limb3_lower_cos = np.cos(t82)
+        t78 = 0.5235987755982989 - limb3_U_q_1
+        limb3_lower_cos = np.cos(t78)
         limb3_upper_offset_x = 0.3 + limb3_P_q
         minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x
-        t83 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
-        minus_limb3_lower_sin = np.sin(t82)
+        t79 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
+        minus_limb3_lower_sin = np.sin(t78)
         limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
         limb3_U_0_cos = np.cos(limb3_U_q_0)
-        t84 = limb3_U_0_cos * t59
+        # limb3: rates that follow; geometry; reciprocal wrenches, eq. (10)
+        t80 = limb3_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qx
         limb3_U_0_sin = np.sin(limb3_U_q_0)
-        limb3_U_null_space_0_by_limb5_S_qx = limb5_S_null_space_wx_by_limb5_S_qx + t83 * (limb3_upper_position_x * (t84 + limb3_U_0_sin * limb5_S_null_space_wy_by_limb5_S_qx))
-        t89 = limb3_lower_cos * t83
+        limb3_U_null_space_0_by_limb5_S_qx = limb5_S_null_space_wx_by_limb5_S_qx - t79 * (limb3_upper_position_x * (t80 - limb3_U_0_sin * limb5_S_null_space_wy_by_limb5_S_qx))
+        t85 = limb3_lower_cos * t79
         limb3_S_arm_x = limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin
-        t93 = limb3_U_0_sin * t59 - limb3_U_0_cos * limb5_S_null_space_wy_by_limb5_S_qx
-        minus_limb3_U_null_space_1_by_limb5_S_qx = t89 * (limb3_S_arm_x * t93)
-        limb3_U_null_space_1_by_limb5_S_qx = -minus_limb3_U_null_space_1_by_limb5_S_qx
+        t87 = limb3_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qx
+        t89 = t87 + limb3_U_0_cos * limb5_S_null_space_wy_by_limb5_S_qx
+        limb3_U_null_space_1_by_limb5_S_qx = t85 * (limb3_S_arm_x * t89)
         limb3_S_arm_y = 0.8 * limb3_lower_cos
-        limb3_P_null_space_by_limb5_S_qx = limb3_S_arm_y * t93
+        minus_limb3_P_null_space_by_limb5_S_qx = limb3_S_arm_y * t89
+        limb3_P_null_space_by_limb5_S_qx = -minus_limb3_P_null_space_by_limb5_S_qx
         # limb4: geometry; reciprocal wrenches, eq. (10); rates that follow
-        t95 = 2.6179938779914944 - limb4_U_q_1
-        limb4_lower_cos = np.cos(t95)
+        t91 = 2.6179938779914944 - limb4_U_q_1
+        limb4_lower_cos = np.cos(t91)
         limb4_upper_offset_x = 0.3 + limb4_P_q
         minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x
-        t96 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz
-        minus_limb4_lower_sin = np.sin(t95)
+        t92 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz
+        minus_limb4_lower_sin = np.sin(t91)
         limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
         limb4_U_0_sin = np.cos(limb4_U_q_0)
         # limb4: rates that follow; geometry; reciprocal wrenches, eq. (10)
-        t97 = limb4_U_0_sin * t59
+        t93 = limb4_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qx
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
-        t101 = t96 * (limb4_upper_position_y * (t97 - minus_limb4_U_0_cos * limb5_S_null_space_wx_by_limb5_S_qx))
-        limb4_U_null_space_0_by_limb5_S_qx = limb5_S_null_space_wy_by_limb5_S_qx - t101
-        t102 = limb4_lower_cos * t96
+        t97 = t92 * (limb4_upper_position_y * (t93 + minus_limb4_U_0_cos * limb5_S_null_space_wx_by_limb5_S_qx))
+        limb4_U_null_space_0_by_limb5_S_qx = limb5_S_null_space_wy_by_limb5_S_qx + t97
+        t98 = limb4_lower_cos * t92
         limb4_S_arm_x = limb4_upper_offset_x - 0.8 * minus_limb4_lower_sin
-        t106 = minus_limb4_U_0_cos * t59 + limb4_U_0_sin * limb5_S_null_space_wx_by_limb5_S_qx
-        limb4_U_null_space_1_by_limb5_S_qx = t102 * (limb4_S_arm_x * t106)
+        t100 = minus_limb4_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qx
+        t102 = t100 - limb4_U_0_sin * limb5_S_null_space_wx_by_limb5_S_qx
+        minus_limb4_U_null_space_1_by_limb5_S_qx = t98 * (limb4_S_arm_x * t102)
+        limb4_U_null_space_1_by_limb5_S_qx = -minus_limb4_U_null_space_1_by_limb5_S_qx
         limb4_S_arm_y = 0.8 * limb4_lower_cos
-        minus_limb4_P_null_space_by_limb5_S_qx = limb4_S_arm_y * t106
-        limb4_P_null_space_by_limb5_S_qx = -minus_limb4_P_null_space_by_limb5_S_qx
-        # limb5_S: geometry; rates that follow
-        platform_turn_yx = t26 + t27
-        t108 = platform_turn_yx * limb5_S_null_space_wy_by_limb5_S_qx
-        platform_turn_xx = 1.0 - t6 * t14
-        t111 = t108 + platform_turn_xx * limb5_S_null_space_wx_by_limb5_S_qx
-        t112 = limb5_S_q_qx * t18
-        t113 = limb5_S_q_qw * t25
-        platform_turn_zx = t112 - t113
+        limb4_P_null_space_by_limb5_S_qx = limb4_S_arm_y * t102
+        # limb5_S: geometry
+        t104 = limb5_S_q_qx * t18
+        t105 = limb5_S_q_qw * t30
+        platform_turn_zx = t104 - t105
         # limb5_S: rates that follow; geometry
-        limb5_S_null_space_wx_by_limb5_S_qx_2 = t111 - platform_turn_zx * t59
-        t115 = platform_turn_yy * limb5_S_null_space_wy_by_limb5_S_qx
-        limb5_S_null_space_wy_by_limb5_S_qx_2 = t115 + platform_turn_xy * limb5_S_null_space_wx_by_limb5_S_qx - platform_turn_zy * t59
-        platform_turn_yz = t19 - t21
-        t119 = platform_turn_yz * limb5_S_null_space_wy_by_limb5_S_qx
-        platform_turn_xz = t112 + t113
-        t121 = t119 + platform_turn_xz * limb5_S_null_space_wx_by_limb5_S_qx
+        t106 = platform_turn_zx * limb5_S_null_space_wz_by_limb5_S_qx
+        platform_turn_yx = t31 + t32
+        t107 = platform_turn_yx * limb5_S_null_space_wy_by_limb5_S_qx
+        platform_turn_xx = 1.0 - t6 * t14
+        limb5_S_null_space_wx_by_limb5_S_qx_2 = t106 + (t107 + platform_turn_xx * limb5_S_null_space_wx_by_limb5_S_qx)
+        t111 = platform_turn_zy * limb5_S_null_space_wz_by_limb5_S_qx
+        t112 = platform_turn_yy * limb5_S_null_space_wy_by_limb5_S_qx
+        limb5_S_null_space_wy_by_limb5_S_qx_2 = t111 + (t112 + platform_turn_xy * limb5_S_null_space_wx_by_limb5_S_qx)
         platform_turn_zz = 1.0 - t14 * (t2 + t4)
-        limb5_S_null_space_wz_by_limb5_S_qx = t121 - platform_turn_zz * t59
-        t125 = t53 * t57
-        limb5_S_null_space_wy_by_limb5_S_qy = t55 * t57
-        t127 = t40 * (t43 * limb5_S_null_space_wy_by_limb5_S_qy)
-        # limb1: rates that follow
-        t131 = minus_limb1_upper_position_x * (limb1_U_0_cos * t127 + limb1_U_0_sin * limb5_S_null_space_wy_by_limb5_S_qy)
-        minus_limb1_U_null_space_0_by_limb5_S_qy = t125 + t30 * t131
-        limb1_U_null_space_0_by_limb5_S_qy = -minus_limb1_U_null_space_0_by_limb5_S_qy
-        t135 = limb1_U_0_sin * t127 - limb1_U_0_cos * limb5_S_null_space_wy_by_limb5_S_qy
-        minus_limb1_U_null_space_1_by_limb5_S_qy = t31 * (limb1_U2_arm_x * t135)
-        limb1_U_null_space_1_by_limb5_S_qy = -minus_limb1_U_null_space_1_by_limb5_S_qy
-        minus_limb1_P_null_space_by_limb5_S_qy = minus_limb1_U2_arm_y * t135
-        limb1_P_null_space_by_limb5_S_qy = -minus_limb1_P_null_space_by_limb5_S_qy
-        limb2_U_null_space_0_by_limb5_S_qy = limb5_S_null_space_wy_by_limb5_S_qy + t70 * (minus_limb2_upper_position_y * (limb2_U_0_sin * t127 + minus_limb2_U_0_cos * t125))
-        t144 = minus_limb2_U_0_cos * t127 - limb2_U_0_sin * t125  # limb2
-        limb2_U_null_space_1_by_limb5_S_qy = t76 * (limb2_S_arm_x * t144)
-        limb2_P_null_space_by_limb5_S_qy = minus_limb2_S_arm_y * t144
-        t149 = limb3_upper_position_x * (limb3_U_0_cos * t127 + limb3_U_0_sin * limb5_S_null_space_wy_by_limb5_S_qy)  # limb3
-        limb3_U_null_space_0_by_limb5_S_qy = t83 * t149 - t125
-        t153 = limb3_U_0_sin * t127 - limb3_U_0_cos * limb5_S_null_space_wy_by_limb5_S_qy  # limb3
-        minus_limb3_U_null_space_1_by_limb5_S_qy = t89 * (limb3_S_arm_x * t153)
-        limb3_U_null_space_1_by_limb5_S_qy = -minus_limb3_U_null_space_1_by_limb5_S_qy
-        limb3_P_null_space_by_limb5_S_qy = limb3_S_arm_y * t153
-        limb4_U_null_space_0_by_limb5_S_qy = limb5_S_null_space_wy_by_limb5_S_qy - t96 * (limb4_upper_position_y * (limb4_U_0_sin * t127 + minus_limb4_U_0_cos * t125))
-        t162 = minus_limb4_U_0_cos * t127 - limb4_U_0_sin * t125  # limb4
-        limb4_U_null_space_1_by_limb5_S_qy = t102 * (limb4_S_arm_x * t162)
-        minus_limb4_P_null_space_by_limb5_S_qy = limb4_S_arm_y * t162
-        limb4_P_null_space_by_limb5_S_qy = -minus_limb4_P_null_space_by_limb5_S_qy
-        t166 = platform_turn_yx * limb5_S_null_space_wy_by_limb5_S_qy - platform_turn_xx * t125  # limb5_S
-        limb5_S_null_space_wx_by_limb5_S_qy = t166 - platform_turn_zx * t127
-        t170 = platform_turn_yy * limb5_S_null_space_wy_by_limb5_S_qy - platform_turn_xy * t125  # limb5_S
-        limb5_S_null_space_wy_by_limb5_S_qy_2 = t170 - platform_turn_zy * t127
-        t174 = platform_turn_yz * limb5_S_null_space_wy_by_limb5_S_qy - platform_turn_xz * t125  # limb5_S
-        limb5_S_null_space_wz_by_limb5_S_qy = t174 - platform_turn_zz * t127
+        t117 = platform_turn_zz * limb5_S_null_space_wz_by_limb5_S_qx
+        platform_turn_yz = t19 - t21
+        t118 = platform_turn_yz * limb5_S_null_space_wy_by_limb5_S_qx
+        platform_turn_xz = t104 + t105
+        limb5_S_null_space_wz_by_limb5_S_qx_2 = t117 + (t118 + platform_turn_xz * limb5_S_null_space_wx_by_limb5_S_qx)
+        limb5_S_null_space_wy_by_limb5_S_qy = t52 * t54
+        limb5_S_null_space_wz_by_limb5_S_qy = t38 * (t41 * limb5_S_null_space_wy_by_limb5_S_qy)
+        t122 = limb1_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qy  # limb1
+        t126 = t23 * (minus_limb1_upper_position_x * (t122 - limb1_U_0_sin * limb5_S_null_space_wy_by_limb5_S_qy))  # limb1
+        t127 = t50 * t54
+        limb1_U_null_space_0_by_limb5_S_qy = t126 - t127
+        t128 = limb1_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qy  # limb1
+        t130 = t128 + limb1_U_0_cos * limb5_S_null_space_wy_by_limb5_S_qy  # limb1
+        limb1_U_null_space_1_by_limb5_S_qy = t35 * (limb1_U2_arm_x * t130)
+        limb1_P_null_space_by_limb5_S_qy = minus_limb1_U2_arm_y * t130
+        t135 = minus_limb2_upper_position_y * (limb2_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qy - minus_limb2_U_0_cos * t127)  # limb2
+        limb2_U_null_space_0_by_limb5_S_qy = limb5_S_null_space_wy_by_limb5_S_qy - t66 * t135
+        t139 = minus_limb2_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qy + limb2_U_0_sin * t127  # limb2
+        minus_limb2_U_null_space_1_by_limb5_S_qy = limb2_S_arm_x * t139 * t72
+        limb2_U_null_space_1_by_limb5_S_qy = -minus_limb2_U_null_space_1_by_limb5_S_qy
+        minus_limb2_P_null_space_by_limb5_S_qy = minus_limb2_S_arm_y * t139
+        limb2_P_null_space_by_limb5_S_qy = -minus_limb2_P_null_space_by_limb5_S_qy
+        # limb3: rates that follow
+        t141 = limb3_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qy
+        t145 = t79 * (limb3_upper_position_x * (t141 - limb3_U_0_sin * limb5_S_null_space_wy_by_limb5_S_qy))
+        minus_limb3_U_null_space_0_by_limb5_S_qy = t127 + t145
+        limb3_U_null_space_0_by_limb5_S_qy = -minus_limb3_U_null_space_0_by_limb5_S_qy
+        t146 = limb3_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qy
+        t148 = t146 + limb3_U_0_cos * limb5_S_null_space_wy_by_limb5_S_qy
+        limb3_U_null_space_1_by_limb5_S_qy = limb3_S_arm_x * t148 * t85
+        minus_limb3_P_null_space_by_limb5_S_qy = limb3_S_arm_y * t148
+        limb3_P_null_space_by_limb5_S_qy = -minus_limb3_P_null_space_by_limb5_S_qy
+        t153 = limb4_upper_position_y * (limb4_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qy - minus_limb4_U_0_cos * t127)  # limb4
+        limb4_U_null_space_0_by_limb5_S_qy = limb5_S_null_space_wy_by_limb5_S_qy + t92 * t153
+        t157 = minus_limb4_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qy + limb4_U_0_sin * t127  # limb4
+        minus_limb4_U_null_space_1_by_limb5_S_qy = limb4_S_arm_x * t157 * t98
+        limb4_U_null_space_1_by_limb5_S_qy = -minus_limb4_U_null_space_1_by_limb5_S_qy
+        limb4_P_null_space_by_limb5_S_qy = limb4_S_arm_y * t157
+        t159 = platform_turn_zx * limb5_S_null_space_wz_by_limb5_S_qy  # limb5_S
+        limb5_S_null_space_wx_by_limb5_S_qy = t159 + (platform_turn_yx * limb5_S_null_space_wy_by_limb5_S_qy - platform_turn_xx * t127)
+        t163 = platform_turn_zy * limb5_S_null_space_wz_by_limb5_S_qy  # limb5_S
+        limb5_S_null_space_wy_by_limb5_S_qy_2 = t163 + (platform_turn_yy * limb5_S_null_space_wy_by_limb5_S_qy - platform_turn_xy * t127)
+        t167 = platform_turn_zz * limb5_S_null_space_wz_by_limb5_S_qy  # limb5_S
+        limb5_S_null_space_wz_by_limb5_S_qy_2 = t167 + (platform_turn_yz * limb5_S_null_space_wy_by_limb5_S_qy - platform_turn_xz * t127)
         return _finish(batch, ((limb1_U_null_space_0_by_limb5_S_qx,
             limb1_U_null_space_1_by_limb5_S_qx, limb1_P_null_space_by_limb5_S_qx,
             limb2_U_null_space_0_by_limb5_S_qx, limb2_U_null_space_1_by_limb5_S_qx,
@@ -3188,7 +3205,7 @@ def null_space(*arguments):
             limb3_U_null_space_1_by_limb5_S_qx, limb3_P_null_space_by_limb5_S_qx,
             limb4_U_null_space_0_by_limb5_S_qx, limb4_U_null_space_1_by_limb5_S_qx,
             limb4_P_null_space_by_limb5_S_qx, limb5_S_null_space_wx_by_limb5_S_qx_2,
-            limb5_S_null_space_wy_by_limb5_S_qx_2, limb5_S_null_space_wz_by_limb5_S_qx,
+            limb5_S_null_space_wy_by_limb5_S_qx_2, limb5_S_null_space_wz_by_limb5_S_qx_2,
             limb1_U_null_space_0_by_limb5_S_qy, limb1_U_null_space_1_by_limb5_S_qy,
             limb1_P_null_space_by_limb5_S_qy, limb2_U_null_space_0_by_limb5_S_qy,
             limb2_U_null_space_1_by_limb5_S_qy, limb2_P_null_space_by_limb5_S_qy,
@@ -3196,28 +3213,28 @@ def null_space(*arguments):
             limb3_P_null_space_by_limb5_S_qy, limb4_U_null_space_0_by_limb5_S_qy,
             limb4_U_null_space_1_by_limb5_S_qy, limb4_P_null_space_by_limb5_S_qy,
             limb5_S_null_space_wx_by_limb5_S_qy, limb5_S_null_space_wy_by_limb5_S_qy_2,
-            limb5_S_null_space_wz_by_limb5_S_qy),), ((minus_limb3_U_0_lever_mz_by_limb3_S_fz,
+            limb5_S_null_space_wz_by_limb5_S_qy_2),), ((minus_limb3_U_0_lever_mz_by_limb3_S_fz,
             6.62327e-10), (minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-10),
             (minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-10),
             (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-10), (minus_limb5_S_pivot_wz,
             1.0e-09), (a_pivot, 1.0e-09)), (minus_limb1_U_0_lever_mz_by_limb1_U2_fz,
             minus_limb5_S_pivot_wz, a_pivot, limb1_U_null_space_0_by_limb5_S_qx,
-            minus_limb1_U_null_space_1_by_limb5_S_qx, minus_limb1_P_null_space_by_limb5_S_qx,
+            limb1_U_null_space_1_by_limb5_S_qx, limb1_P_null_space_by_limb5_S_qx,
             minus_limb2_U_0_lever_mz_by_limb2_S_fz, limb2_U_null_space_0_by_limb5_S_qx,
-            limb2_U_null_space_1_by_limb5_S_qx, limb2_P_null_space_by_limb5_S_qx,
+            minus_limb2_U_null_space_1_by_limb5_S_qx, minus_limb2_P_null_space_by_limb5_S_qx,
             minus_limb3_U_0_lever_mz_by_limb3_S_fz, limb3_U_null_space_0_by_limb5_S_qx,
-            minus_limb3_U_null_space_1_by_limb5_S_qx, limb3_P_null_space_by_limb5_S_qx,
+            limb3_U_null_space_1_by_limb5_S_qx, minus_limb3_P_null_space_by_limb5_S_qx,
             minus_limb4_U_0_lever_mz_by_limb4_S_fz, limb4_U_null_space_0_by_limb5_S_qx,
-            limb4_U_null_space_1_by_limb5_S_qx, minus_limb4_P_null_space_by_limb5_S_qx,
+            minus_limb4_U_null_space_1_by_limb5_S_qx, limb4_P_null_space_by_limb5_S_qx,
             limb5_S_null_space_wx_by_limb5_S_qx_2, limb5_S_null_space_wy_by_limb5_S_qx_2,
-            limb5_S_null_space_wz_by_limb5_S_qx, minus_limb1_U_null_space_0_by_limb5_S_qy,
-            minus_limb1_U_null_space_1_by_limb5_S_qy, minus_limb1_P_null_space_by_limb5_S_qy,
-            limb2_U_null_space_0_by_limb5_S_qy, limb2_U_null_space_1_by_limb5_S_qy,
-            limb2_P_null_space_by_limb5_S_qy, limb3_U_null_space_0_by_limb5_S_qy,
-            minus_limb3_U_null_space_1_by_limb5_S_qy, limb3_P_null_space_by_limb5_S_qy,
-            limb4_U_null_space_0_by_limb5_S_qy, limb4_U_null_space_1_by_limb5_S_qy,
-            minus_limb4_P_null_space_by_limb5_S_qy, limb5_S_null_space_wx_by_limb5_S_qy,
-            limb5_S_null_space_wy_by_limb5_S_qy_2, limb5_S_null_space_wz_by_limb5_S_qy), ((t7,
+            limb5_S_null_space_wz_by_limb5_S_qx_2, limb1_U_null_space_0_by_limb5_S_qy,
+            limb1_U_null_space_1_by_limb5_S_qy, limb1_P_null_space_by_limb5_S_qy,
+            limb2_U_null_space_0_by_limb5_S_qy, minus_limb2_U_null_space_1_by_limb5_S_qy,
+            minus_limb2_P_null_space_by_limb5_S_qy, minus_limb3_U_null_space_0_by_limb5_S_qy,
+            limb3_U_null_space_1_by_limb5_S_qy, minus_limb3_P_null_space_by_limb5_S_qy,
+            limb4_U_null_space_0_by_limb5_S_qy, minus_limb4_U_null_space_1_by_limb5_S_qy,
+            limb4_P_null_space_by_limb5_S_qy, limb5_S_null_space_wx_by_limb5_S_qy,
+            limb5_S_null_space_wy_by_limb5_S_qy_2, limb5_S_null_space_wz_by_limb5_S_qy_2), ((t7,
             0.999999, 1.000001, 5),))
 
 
