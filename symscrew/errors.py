@@ -22,6 +22,47 @@ def in_file(name: str, error: DescriptionError) -> FileError:
     return error if isinstance(error, FileError) else FileError(f"{name}: {error}")
 
 
+# How what public functions take is made: the cure where something else came.
+MADE_BY = {
+    "Mechanism": "symscrew.load_catalogue(name), symscrew.load_description(file) or a MechanismBuilder makes one",
+    "Model": "symscrew.derive(mechanism) makes one",
+    "Scene": "symscrew.load_scene(file) makes one",
+    "TrajectoryProblem": "symscrew.optimisation.load_problem(file) makes one",
+    "Effect": "symscrew.effects has their kinds, to be called with what they need: symscrew.Gravity()",
+    "str": "it names a file, a folder or a mechanism, or is an expression",
+    "Real": "a number, in SI units",
+    "Mapping": "names with their values, such as {'A': 0.3}",
+}
+
+
+class KindError(DescriptionError, TypeError):
+    """A public function was given another kind of thing than it takes: a name in place of what bears it, a model in
+    place of a mechanism."""
+
+
+def expect(value: object, *kinds: type) -> None:
+    """Refuse a value that is of none of these kinds.
+
+    Raises:
+        KindError: says what was expected, what came, and what makes it.
+
+    >>> class Mechanism: pass
+    >>> expect("four_bar", Mechanism)
+    Traceback (most recent call last):
+    ...
+    symscrew.errors.KindError: expected a Mechanism, got 'four_bar' (str); symscrew.load_catalogue(name), \
+symscrew.load_description(file) or a MechanismBuilder makes one
+    """
+    if isinstance(value, kinds):
+        return
+    wanted = " or a ".join(kind.__name__ for kind in kinds)
+    own = getattr(value, kinds[0].__name__.lower(), None)
+    cure = MADE_BY[kinds[0].__name__]
+    if isinstance(own, kinds[0]):  # a model has its mechanism, a run its model
+        cure = f"it has one, as .{kinds[0].__name__.lower()}"
+    raise KindError(f"expected a {wanted}, got {shorten(value)} ({type(value).__name__}); {cure}")
+
+
 def did_you_mean(name: str, known: Iterable[str]) -> str:
     """A sentence that lists the known names nearest to `name`, or all of them when they are few.
 

@@ -8,8 +8,9 @@ mechanism --System--> tape, tree, frames, closure
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
+from pickle import PicklingError
 from typing import Any
 
 import numpy as np
@@ -17,8 +18,8 @@ import numpy as np
 from symscrew import notebook
 from symscrew.algebra import TapeMark, tape_mark
 from symscrew.description import Mechanism, Reader
-from symscrew.effects import Effect, Gravity, system_under
-from symscrew.errors import DescriptionError
+from symscrew.effects import Effect, Gravity, given_effects, system_under
+from symscrew.errors import DescriptionError, did_you_mean, expect, shorten
 from symscrew.functions import (
     SUFFIX,
     Assembly,
@@ -37,6 +38,7 @@ from symscrew.functions import (
     fewest_operations,
     forward_functions,
     kinematic_functions,
+    known_function,
     left_out,
     loop_notes,
     margin_functions,
@@ -77,7 +79,7 @@ class Model:
     freedoms, warnings of the description);
     `one_mode`: functions of closed loops are for the operation mode of the reference configuration only;
     `independent`: labels of the independent coordinates of a mechanism with loops; `selected`: the model has been
-    left with some of its functions.
+    left with some of its functions; `options`: how `derive` was asked, None of a model that it did not make.
     """
 
     name: str
@@ -90,6 +92,22 @@ class Model:
     one_mode: bool = False
     independent: tuple[str, ...] = ()
     selected: bool = False
+    options: Mapping[str, Any] | None = field(default=None, compare=False)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """A copy, in another process as well, is derived again: from mechanism and effects the same functions follow.
+
+        Raises:
+            PicklingError: a model whose functions others made than `derive`.
+        """
+        own = isinstance(self.programs, Asked) and isinstance(self.test_inputs, Asked)
+        if self.options is None or not own or self.name != self.mechanism.name:
+            raise PicklingError(
+                f"{self.name}: expected a model as `derive` gives it, or less of it by `only`; others cannot be "
+                "copied or sent to another process: derive it there"
+            )
+        names = tuple(self.programs) if self.selected else None
+        return _again, (self.mechanism, self.effects, dict(self.options), names)
 
     def __repr__(self) -> str:
         """One line: the mechanism's size, the functions, and what they leave out."""
@@ -110,7 +128,19 @@ class Model:
         return notebook.table(repr(self), ("function", "of", "gives", "operations"), rows)
 
     def only(self, names: Sequence[str]) -> Model:
-        """The model with those functions of these names that it has, and no others."""
+        """The model with those functions of these names that it has, and no others.
+
+        Names of functions that only other mechanisms have are passed over.
+
+        Raises:
+            DescriptionError: a name that no function has, or one text in place of names.
+        """
+        if isinstance(names, str):
+            raise DescriptionError(f"expected names of functions, ({names!r},), got the text {names!r}")
+        for name in names:
+            if name not in self.programs and not (isinstance(name, str) and known_function(name)):
+                near = did_you_mean(str(name), self.programs)
+                raise DescriptionError(f"no function {shorten(name)} in {self.name}; {near}")
         if isinstance(self.programs, Asked):
             return replace(self, programs=self.programs.only(names), selected=True)
         kept = {name: program for name, program in self.programs.items() if name in names}
@@ -128,13 +158,28 @@ class Model:
         return np.asarray(at[0]) if at is not None else self.system.sample_states[0]
 
     def __call__(self, function: str, *arguments: object) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
-        """Evaluate a function on NumPy arrays (*batch, size): its results and the status."""
+        """Evaluate a function on NumPy arrays (*batch, size): its results and the status.
+
+        Raises:
+            DescriptionError: a function that the model does not have.
+        """
+        if function not in self.programs:
+            near = did_you_mean(str(function), self.programs)
+            raise DescriptionError(f"no function {shorten(function)} in {self.name}; {near}")
         program = self.programs[function]
         if isinstance(program, Iteration):
             return evaluate_iteration(program, arguments)
         if isinstance(program, RankRevealing):
             return evaluate_rank_revealing(program, arguments)
         return evaluate(program, arguments)
+
+
+def _again(
+    mechanism: Mechanism, effects: tuple[Effect, ...], options: dict[str, Any], names: tuple[str, ...] | None
+) -> Model:
+    """A model as it was derived once, or some of it."""
+    model = derive(mechanism, effects, **options)
+    return model if names is None else model.only(names)
 
 
 @nothing_to_collect()
@@ -164,23 +209,21 @@ def derive(
     A simplification that is only wanted where it saves operations is undone where it does not, see `Effect.undone`.
     Raises DescriptionError for names that do not exist and for a length that is not positive.
     """
+    expect(mechanism, Mechanism)
     if length is not None:
         read = Reader(dict(mechanism.parameters)).characteristic_length(length)
         mechanism = replace(mechanism, characteristic_length=read)
-    known = tuple(effects)
+    known = given_effects(effects)
+    further = {
+        "derivatives": derivatives, "second_derivatives": second_derivatives, "regressor": regressor,
+        "one_mode": one_mode, "checked": checked,
+    }  # fmt: skip
+    options = {"independent": None if independent is None else tuple(independent), **further}
     plain = _where_they_save(mechanism, known, independent) if any(effect.undone() for effect in known) else None
-    if plain and not (derivatives or second_derivatives or regressor or one_mode or checked):
-        return plain
-    return _derived(
-        mechanism,
-        plain.effects if plain else known,
-        independent=independent,
-        derivatives=derivatives,
-        second_derivatives=second_derivatives,
-        regressor=regressor,
-        one_mode=one_mode,
-        checked=checked,
-    )
+    if plain and not any(further.values()):
+        return replace(plain, options=options)
+    made = _derived(mechanism, plain.effects if plain else known, independent=independent, **further)
+    return replace(made, options=options)
 
 
 def _where_they_save(mechanism: Mechanism, effects: tuple[Effect, ...], independent: Sequence[str] | None) -> Model:

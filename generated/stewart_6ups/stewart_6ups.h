@@ -14,11 +14,14 @@
  * all are below. <function>_batch takes the arrays of the states one after the other; <function>_batch_soa has entry k
  * of state i at [k * stride + i], stride >= count. Both take eight states at once on vector units; results may differ
  * from those of single calls by rounding (not where the compiler contracts nothing and the sines are the same). With
- * -fopenmp, 1024 states and more are shared among threads. The stack holds blocks of eight states, 38464 bytes and
- * temporaries at most: define STEWART_6UPS_STATE_BY_STATE to do without.
+ * -fopenmp, 1024 states and more are shared among threads.
  *
  * Single calls have equal limbs side by side on vector units of x86-64 (AVX2) where that is faster; results are those
  * of limb after limb, but for what the compiler contracts. Define STEWART_6UPS_LIMB_BY_LIMB to do without.
+ *
+ * The stack holds the temporaries of a call, which a compiler tells (-fstack-usage); near a small pivot, where the
+ * status is below 0, also arrays of 41088 bytes at most; batches also hold blocks of eight states, of 38464 bytes at
+ * most: define STEWART_6UPS_STATE_BY_STATE to do without.
  */
 #ifndef STEWART_6UPS_H
 #define STEWART_6UPS_H
@@ -109,6 +112,7 @@ enum { STEWART_6UPS_Q_SIZE = 25, STEWART_6UPS_V_SIZE = 24, STEWART_6UPS_A_SIZE =
 extern "C" {
 #endif
 
+/* What a status means, in words that stay where they are: nobody frees them. */
 const char *stewart_6ups_status_text(int status);
 
 /* stewart_6ups_body_poses: Displacement of every body from the reference configuration: x = R x_reference + t,

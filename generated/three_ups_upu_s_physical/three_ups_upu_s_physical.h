@@ -18,11 +18,14 @@
  * all are below. <function>_batch takes the arrays of the states one after the other; <function>_batch_soa has entry k
  * of state i at [k * stride + i], stride >= count. Both take eight states at once on vector units; results may differ
  * from those of single calls by rounding (not where the compiler contracts nothing and the sines are the same). With
- * -fopenmp, 1024 states and more are shared among threads. The stack holds blocks of eight states, 15424 bytes and
- * temporaries at most: define THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE to do without.
+ * -fopenmp, 1024 states and more are shared among threads.
  *
  * Single calls have equal limbs side by side on vector units of x86-64 (AVX2) where that is faster; results are those
  * of limb after limb, but for what the compiler contracts. Define THREE_UPS_UPU_S_PHYSICAL_LIMB_BY_LIMB to do without.
+ *
+ * The stack holds the temporaries of a call, which a compiler tells (-fstack-usage); near a small pivot, where the
+ * status is below 0, also arrays of 19920 bytes at most; batches also hold blocks of eight states, of 15424 bytes at
+ * most: define THREE_UPS_UPU_S_PHYSICAL_STATE_BY_STATE to do without.
  */
 #ifndef THREE_UPS_UPU_S_PHYSICAL_H
 #define THREE_UPS_UPU_S_PHYSICAL_H
@@ -108,6 +111,7 @@ enum { THREE_UPS_UPU_S_PHYSICAL_Q_SIZE = 16, THREE_UPS_UPU_S_PHYSICAL_V_SIZE = 1
 extern "C" {
 #endif
 
+/* What a status means, in words that stay where they are: nobody frees them. */
 const char *three_ups_upu_s_physical_status_text(int status);
 
 /* three_ups_upu_s_physical_body_poses: Displacement of every body from the reference configuration: x = R x_reference

@@ -14,11 +14,13 @@
  * all are below. <function>_batch takes the arrays of the states one after the other; <function>_batch_soa has entry k
  * of state i at [k * stride + i], stride >= count. Both take eight states at once on vector units; results may differ
  * from those of single calls by rounding (not where the compiler contracts nothing and the sines are the same). With
- * -fopenmp, 1024 states and more are shared among threads. The stack holds blocks of eight states, 4992 bytes and
- * temporaries at most: define UR5_STATE_BY_STATE to do without.
+ * -fopenmp, 1024 states and more are shared among threads.
  *
  * Single calls have equal limbs side by side on vector units of x86-64 (AVX2) where that is faster; results are those
  * of limb after limb, but for what the compiler contracts. Define UR5_LIMB_BY_LIMB to do without.
+ *
+ * The stack holds the temporaries of a call, which a compiler tells (-fstack-usage); batches also hold blocks of eight
+ * states, of 4992 bytes at most: define UR5_STATE_BY_STATE to do without.
  */
 #ifndef UR5_H
 #define UR5_H
@@ -93,6 +95,7 @@ enum { UR5_Q_SIZE = 6, UR5_V_SIZE = 6, UR5_A_SIZE = 6, UR5_POSITIONS_SIZE = 3, U
 extern "C" {
 #endif
 
+/* What a status means, in words that stay where they are: nobody frees them. */
 const char *ur5_status_text(int status);
 
 /* ur5_body_poses: Displacement of every body from the reference configuration: x = R x_reference + t, absolute axes.

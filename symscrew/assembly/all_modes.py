@@ -37,6 +37,7 @@ from symscrew.assembly.target_roots import Account, End, reference_end, target_r
 from symscrew.assembly.what_is_held import Held, held_by
 from symscrew.assembly.without_boxes import without_boxes
 from symscrew.description import Mechanism
+from symscrew.errors import expect
 from symscrew.mobility import Network, NotAlgebraicError
 
 Array = np.ndarray[Any, Any]
@@ -169,6 +170,9 @@ def assembly_modes(
     Raises:
         DescriptionError: unknown names, too little held, a closure that is not algebraic.
     """
+    mechanism = getattr(mechanism, "mechanism", mechanism)
+    expect(mechanism, Mechanism)
+    expect(drives or {}, Mapping)
     held = held_by(getattr(mechanism, "mechanism", mechanism), drives or {}, at or {})
     try:
         structure = structure_of(held)

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from symscrew import formats
 from symscrew.description import Mechanism, load_description
-from symscrew.errors import DescriptionError, did_you_mean, shorten
+from symscrew.errors import DescriptionError, did_you_mean, expect, shorten
 
 _FOLDER = Path(__file__).parent
 
@@ -25,6 +25,7 @@ def load(name: str) -> Mechanism:
     >>> load("four_bar").ground
     'base'
     """
+    expect(name, str)
     if name not in names():
         raise DescriptionError(f"the catalogue has no mechanism {shorten(name)}; {did_you_mean(name, names())}")
     return _own(name)

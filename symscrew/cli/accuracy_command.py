@@ -58,6 +58,8 @@ def run(options: argparse.Namespace) -> int:
     choices = (*STUDIES, "all")
     if options.study is not None and options.study not in choices:
         raise UsageError(f"--study: {shorten(options.study)} is unknown; {did_you_mean(options.study, choices)}")
+    if options.problems is not None and not Path(options.problems).is_dir():  # studies take minutes: not before it
+        raise UsageError(f"--problems: expected a folder of benchmark problems, got {shorten(options.problems)}")
     directory = _directory(options.out)
     need_matplotlib("plots need")
     if options.study in STUDIES and STUDIES[options.study].of == "problem":

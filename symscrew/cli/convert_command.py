@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, UsageError
-from symscrew.cli.shared_options import add_mechanism, check_folder, writable_folder
+from symscrew.cli.shared_options import add_mechanism, check_folder, rods_that_spin, writable_folder
 
 if TYPE_CHECKING:
     from symscrew.description import Mechanism
@@ -120,6 +120,8 @@ def run(options: argparse.Namespace) -> int:
         print(scene)
     for line in robot.account.lines():
         print(line, file=sys.stderr)
+    if robot.account.rods:
+        print(f"note: {rods_that_spin(robot.account.rods)}; --bars leaves that out", file=sys.stderr)
     return DONE
 
 

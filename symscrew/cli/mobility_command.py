@@ -7,6 +7,7 @@ import json
 import os
 import sys
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -19,7 +20,7 @@ from symscrew.whole_files import write_text
 if TYPE_CHECKING:
     from symscrew.cli.same_files import Outcome
     from symscrew.description import Mechanism
-    from symscrew.mobility import Mobility
+    from symscrew.mobility import Connections, Mobility
 
 EXAMPLES = (
     "symscrew mobility three_ups_upu_s",
@@ -50,7 +51,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     )  # fmt: skip
     command.add_argument(
         "--components", action="store_true",
-        help="also the operation modes: components of the configuration space, exact by Singular, else sampled",
+        help="also the operation modes: components of the configuration space, exact by Singular, or numerical",
     )  # fmt: skip
     command.add_argument(
         "--connections", action="store_true",
@@ -129,46 +130,57 @@ def _made(
 ) -> Outcome:
     """Analysed and verified: what is said, the exit code and the report."""
     from symscrew.cli.same_files import Outcome
-    from symscrew.mobility import analyse_mobility, verified, with_rechecked_parts
+    from symscrew.mobility import analyse_mobility, judged_connections, verified, with_rechecked_parts
 
     found, checks = verified(analyse_mobility(mechanism, body=options.body, at=at, tolerance=options.tolerance))
     failed = [check.claim for check in checks if not check.holds]
     if options.components:
         found = with_rechecked_parts(found)
-    proved = not options.proof or _proved(found, Path(options.proof))
+    ways = judged_connections(found) if options.connections else None
+    proved = not options.proof or _proved(found, Path(options.proof), ways)
     parts: Parts | None = None
     if options.components:
         found, parts = _components(found)
-    text = _json(found, failed, options, parts) if options.json else _words(found, failed, options, parts)
+    more = _more(found, options, parts, ways)
+    text = _json(found, failed, options, more) if options.json else _words(found, failed, options, more)
     files = {} if writer is None else {"report": writer(found).encode()}
     unexpected = options.expect is not None and found.finite.dof != options.expect
     code = FAILED if failed or unexpected or not proved else DONE
     return Outcome({"text": text, "code": code}, files, good=not failed)
 
 
-def _json(found: Mobility, failed: list[str], options: argparse.Namespace, parts: Parts | None) -> str:
+def _more(
+    found: Mobility, options: argparse.Namespace, parts: Parts | None, ways: Connections | str | None
+) -> dict[str, tuple[str, Parts]]:
+    """What was asked for beside the verdict: key in the JSON -> (title, words and values)."""
+    from symscrew.mobility import connection_lines, connection_values
+
+    more = dict[str, tuple[str, Parts]]()
+    if options.along:
+        more["along"] = ("Along the motion", (_along_lines(found), _along_values(found)))
+    if parts is not None:
+        more["components"] = ("Components of the configuration space", parts)
+    if ways is not None:
+        more["assembly_modes"] = ("Assembly modes", (connection_lines(ways), connection_values(ways)))
+    return more
+
+
+def _json(
+    found: Mobility, failed: list[str], options: argparse.Namespace, more: Mapping[str, tuple[str, Parts]]
+) -> str:
     from symscrew.mobility import mobility_values
 
     values = {**mobility_values(found), "verified": not failed, "expected": options.expect}
-    if options.along:
-        values["along"] = _along_values(found)
-    if parts is not None:
-        values["components"] = parts[1]
-    if options.connections:
-        values["assembly_modes"] = _connections(found)[1]
-    return json.dumps(values, indent=1)
+    return json.dumps({**values, **{key: parts[1] for key, (_, parts) in more.items()}}, indent=1)
 
 
-def _words(found: Mobility, failed: list[str], options: argparse.Namespace, parts: Parts | None) -> str:
+def _words(
+    found: Mobility, failed: list[str], options: argparse.Namespace, more: Mapping[str, tuple[str, Parts]]
+) -> str:
     from symscrew.mobility import mobility_text
 
     lines = [found.report().splitlines()[0], mobility_text(found, full=options.full)]  # the rest follows in more words
-    if options.along:
-        lines.append("\n    ".join(["Along the motion", *_along_lines(found)]))
-    if parts is not None:
-        lines.append("\n    ".join(["Components of the configuration space", *parts[0]]))
-    if options.connections:
-        lines.append("\n    ".join(["Assembly modes", *_connections(found)[0]]))
+    lines += ["\n    ".join([title, *parts[0]]) for title, parts in more.values()]
     return "\n".join([*lines, _verdict(found, options.expect, failed)])
 
 
@@ -176,15 +188,20 @@ def _components(found: Mobility) -> tuple[Mobility, Parts]:
     """(the result with what components prove of its branches, the components in words and as JSON values).
 
     Four-bars have a way of their own, which needs no program. Modes with parallel axes are soon found: where they are
-    known the whole, which rarely ends then, is tried for a shorter time.
+    known the whole, which rarely ends then, is tried for a shorter time. What exact algebra does not divide is
+    decomposed numerically.
     """
     from symscrew.mobility import (
         component_lines,
         component_values,
         components_of,
         configuration_space,
+        judged_modes,
         mode_lines,
         mode_values,
+        numerical_components,
+        numerical_lines,
+        numerical_values,
         pose_lines,
         pose_modes,
         pose_values,
@@ -200,25 +217,25 @@ def _components(found: Mobility) -> tuple[Mobility, Parts]:
     modes = pose_modes(found.mechanism, found.network) if len(found.network.chords) > 1 else "not decided: one loop"
     limit = {} if isinstance(modes, str) else {"seconds": SHORTLY}
     space = configuration_space(found.mechanism, found.network, **limit)
-    if not isinstance(space, str):
-        return with_components(found, space), (space_lines(space), space_values(space))
     if not found.network.chords:
-        return found, ([space], {"decided": False, "why": space})
+        return found, ([str(space)], {"decided": False, "why": str(space)})
+    if not isinstance(space, str) and space.proved:
+        return with_components(found, space), (space_lines(space), space_values(space))
+    numerical = numerical_components(found.mechanism, found.network, **limit)
+    divided = [numerical] if isinstance(numerical, str) else numerical_lines(numerical)
+    numbers = numerical if isinstance(numerical, str) else numerical_values(numerical)
+    if not isinstance(space, str):
+        parts = [*space_lines(space), *divided], {**space_values(space), "numerical": numbers}
+        return with_components(found, space), parts
+    lines, values = [space, *divided], {"decided": False, "why": space, "numerical": numbers}
     if isinstance(modes, str) and len(found.network.chords) == 1:
         modes = pose_modes(found.mechanism, found.network)
     if not isinstance(modes, str):
-        return found, ([space, *pose_lines(modes)], {"decided": False, "why": space, "pose_modes": pose_values(modes)})
+        modes = replace(modes, others=judged_modes(found, modes.others)) if found.in_reference else modes
+        return found, ([*lines, *pose_lines(modes)], {**values, "pose_modes": pose_values(modes)})
     seen = sampled_modes(found.network, found.platform.body)
-    values = {"decided": False, "why": space, "operation_modes": mode_values(seen)}
-    return found, ([space, *mode_lines(seen)], values)
-
-
-def _connections(found: Mobility) -> tuple[list[str], dict[str, Any]]:
-    """The assembly modes and paths between them, in words and as JSON values."""
-    from symscrew.mobility import assembly_connections, connection_lines, connection_values
-
-    modes = assembly_connections(found.network)
-    return connection_lines(modes, found.network), connection_values(modes, found.network)
+    seen = judged_modes(found, seen) if found.in_reference else seen
+    return found, ([*lines, *mode_lines(seen)], {**values, "operation_modes": mode_values(seen)})
 
 
 def _along_lines(found: Mobility) -> list[str]:
@@ -237,12 +254,12 @@ def _along_values(found: Mobility) -> dict[str, Any]:
     return motion_values(found.along, found.network, found.mechanism)
 
 
-def _proved(found: Mobility, path: Path) -> bool:
+def _proved(found: Mobility, path: Path, ways: Connections | str | None) -> bool:
     """Writes the proof file and says on stderr what it proves; whether its checker takes every claim."""
     from symscrew.mobility import write_proof
 
     try:
-        verdict = write_proof(found, path)
+        verdict = write_proof(found, path, None if ways is None or isinstance(ways, str) else ways.evidence.entry)
     except OSError as error:
         raise UsageError(f"--proof {shorten(str(path))}: cannot be written ({error.strerror})") from error
     counts = (len(verdict.proved), len(verdict.refused), len(verdict.not_proved))

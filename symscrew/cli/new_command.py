@@ -4,16 +4,19 @@ from __future__ import annotations
 
 import argparse
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, UsageError
+from symscrew.cli.shared_options import rods_that_spin
 from symscrew.errors import did_you_mean, shorten
 
 if TYPE_CHECKING:
     from symscrew.cli.same_files import Outcome
     from symscrew.description import Mechanism
     from symscrew.mobility import Mobility
+    from symscrew.scene import Robot
 
 EXAMPLES = (
     "symscrew new wrist --limbs 3-UPS+UPU+S",
@@ -45,7 +48,12 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--exact", action="store_true", help="with --from FILE: 1.5708 is pi/2; asked for where neither is said"
     )
-    command.add_argument("--as-written", action="store_true", help="with --from FILE: every digit as the file has it")
+    command.add_argument(
+        "--bars", action="store_true", help="with --from FILE: rods between two balls do not spin; asked for, too"
+    )
+    command.add_argument(
+        "--as-written", action="store_true", help="with --from FILE: digits and rods as the file has them"
+    )
     command.add_argument("--out", metavar="FILE.toml", help="default: NAME.toml; a file that exists is left as it is")
 
 
@@ -64,8 +72,8 @@ def run(options: argparse.Namespace) -> int:
 
     if options.source and Path(options.source).suffix in ROBOTS:
         return _from_file(options, Path(options.out or f"{options.name}.toml"))
-    if options.exact or options.as_written:
-        raise UsageError(f"--exact and --as-written belong to --from with a file ({', '.join(ROBOTS)})")
+    if options.exact or options.as_written or options.bars:
+        raise UsageError(f"--exact, --bars and --as-written belong to --from with a file ({', '.join(ROBOTS)})")
     out, promised = options.out or f"{options.name}.toml", architecture(options.source or options.limbs)
     if options.source in catalogue.names():
         path = write_new(renamed_text(options.name, catalogue.text(options.source)), out)
@@ -123,24 +131,19 @@ def _from_file(options: argparse.Namespace, out: Path) -> int:
     """A description and a scene of a robot's file, its digits as angles or as written."""
     from symscrew.description import check_name, to_toml
     from symscrew.errors import DescriptionError
-    from symscrew.formats import ImportOptions
-    from symscrew.scene import load_robot, scene_text
+    from symscrew.scene import scene_text
     from symscrew.whole_files import created
 
     check_name(options.name, "NAME")
-    if options.exact and options.as_written:
-        raise UsageError("expected --exact or --as-written, got both")
+    if options.as_written and (options.exact or options.bars):
+        raise UsageError(f"expected {'--exact' if options.exact else '--bars'} or --as-written, got both")
     if out.suffix != ".toml":
         raise UsageError(f"--out: expected a name that ends in .toml, got {str(out)!r}")
     scene = out.with_name(f"{out.stem}_scene.toml")
     for path in (out, scene):
         if path.exists():
             raise DescriptionError(f"{path} is there already and is left as it is; use another name or --out")
-    source = Path(options.source)
-    robot = load_robot(source, ImportOptions(exact=not options.as_written))
-    meant = [line for line in robot.account.changed if " -> " in line]
-    if not options.exact and not options.as_written and meant and not _agreed(meant):
-        robot = load_robot(source)
+    robot = _as_agreed(options, Path(options.source))
     robot = robot.named(options.name)
     texts = {out: to_toml(robot.mechanism), scene: scene_text(robot, out.name)}  # both, before any is written
     for path, text in texts.items():
@@ -151,13 +154,37 @@ def _from_file(options: argparse.Namespace, out: Path) -> int:
     return DONE
 
 
-def _agreed(meant: list[str]) -> bool:
-    """Whether somebody at the terminal wants these changes; where nobody is there, the options have to say."""
+def _as_agreed(options: argparse.Namespace, source: Path) -> Robot:
+    """The file's robot, with digits and rods as the options or whoever is at the terminal say."""
+    from symscrew.formats import ImportOptions
+    from symscrew.scene import load_robot
+
+    chosen = ImportOptions(exact=not options.as_written, bars=options.bars)
+    robot = load_robot(source, chosen)
+    meant = [line for line in robot.account.changed if " -> " in line]
+    if not options.exact and not options.as_written and meant:
+        if not sys.stdin.isatty():  # nobody is there: the options have to say
+            raise UsageError(
+                f"digits of the file mean an angle or a zero ({meant[0]}); say --exact to take them so, or --as-written"
+            )
+        if not _yes("Digits of the file that mean something:", meant, "Take them as that? The code gets shorter."):
+            chosen = replace(chosen, exact=False)
+            robot = load_robot(source, chosen)
+    rods = robot.account.rods
+    if not rods or options.as_written:
+        return robot
     if not sys.stdin.isatty():
-        raise UsageError(
-            f"digits of the file mean an angle or a zero ({meant[0]}); say --exact to take them so, or --as-written"
-        )
-    more = [f"... and {len(meant) - MOST_SHOWN} more"] if len(meant) > MOST_SHOWN else []
-    print("\n".join(["Digits of the file that mean something:", *meant[:MOST_SHOWN], *more]), file=sys.stderr)
-    print("Take them as that? The code gets shorter. [Y/n] ", end="", file=sys.stderr, flush=True)
+        print(f"note: {rods_that_spin(rods)}; --bars leaves that out", file=sys.stderr)
+        return robot
+    bars = load_robot(source, replace(chosen, bars=True, accept=True))
+    changes = [line for line in bars.account.changed if line not in robot.account.changed]
+    changes += [f"left out: {what}" for what in bars.account.influence]
+    return bars if _yes(f"{rods_that_spin(rods)}:", changes, "Leave that out? The code gets shorter.") else robot
+
+
+def _yes(what: str, changes: list[str], question: str) -> bool:
+    """Whether somebody at the terminal wants these changes."""
+    more = [f"... and {len(changes) - MOST_SHOWN} more"] if len(changes) > MOST_SHOWN else []
+    print("\n".join([what, *changes[:MOST_SHOWN], *more]), file=sys.stderr)
+    print(f"{question} [Y/n] ", end="", file=sys.stderr, flush=True)
     return sys.stdin.readline().strip().lower() in ("", "y", "yes")

@@ -52,6 +52,12 @@ def find_mechanism(name: str, *, acting: bool = False) -> Mechanism:
     def said(found: Imported) -> None:
         for text in found.account.changed:
             print(f"note: {text}", file=sys.stderr)
+        if found.account.rods:
+            print(
+                f"note: {rods_that_spin(found.account.rods)}: symscrew new NAME --from {name} --bars leaves that out, "
+                "and the code gets shorter",
+                file=sys.stderr,
+            )
         if acting and found.acting():
             print(
                 f"note: beside the mechanism the file has {found.acting()}, which is left out here: symscrew convert "
@@ -62,6 +68,14 @@ def find_mechanism(name: str, *, acting: bool = False) -> Mechanism:
     return catalogue.find(name, said=said)
 
 
+def rods_that_spin(rods: Sequence[str]) -> str:
+    """In words, which bodies of a file spin between two balls."""
+    shown = [*rods[:MOST_RODS], *(["..."] if len(rods) > MOST_RODS else [])]
+    return f"{len(rods)} rod{'s' * (len(rods) > 1)} between two balls, whose spin no drive holds ({', '.join(shown)})"
+
+
+MOST_RODS = 6
+"""Names of rods that a note shows: those of a hexapod."""
 NEXT_SETTING = re.compile(r",\s*(?=[A-Za-z_][\w.]*\s*=)")
 """A comma before a further KEY=: "30deg about 1,1,0" has commas of its own."""
 

@@ -86,7 +86,7 @@ def run(options: argparse.Namespace) -> int:
     with progress.step(f"read {options.mechanism}"):
         mechanism, motion = _mechanism(options)
         motion = _with_frames(motion, options.frames)
-        effects = chosen_effects(options, mechanism)
+        effects = _acting(chosen_effects(options, mechanism), motion)
         limits = _limits(options, mechanism)
         pictures = _pictures(options, mechanism)
     if not files or "out" in files:
@@ -109,6 +109,23 @@ def run(options: argparse.Namespace) -> int:
             written = write_film(model, path, motion)
         print(written)
     return DONE
+
+
+def _acting(chosen: Sequence[Effect], motion: RecordedMotion | None) -> Sequence[Effect]:
+    """The chosen effects, or those of the motion's scene where it has the tree's coordinates under these alone."""
+    from symscrew.effects import effects_of_text, system_under
+
+    if motion is None or not motion.scene:
+        return chosen
+
+    def fits(effects: Sequence[Effect]) -> bool:
+        tree = system_under(motion.mechanism, tuple(effects)).tree
+        return motion.q_labels == tuple(coordinate.label for coordinate in tree.q)
+
+    if fits(chosen):
+        return chosen
+    own = effects_of_text(motion.scene)
+    return own if fits(own) else chosen
 
 
 def _page(

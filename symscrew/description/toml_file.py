@@ -19,6 +19,7 @@ import re
 import tomllib
 from collections.abc import Mapping, Sequence
 from decimal import Decimal, Inexact, localcontext
+from os import PathLike
 from pathlib import Path
 from typing import Any
 
@@ -28,7 +29,7 @@ from symscrew.description.builder import MechanismBuilder
 from symscrew.description.coupled import terms_of
 from symscrew.description.expressions import to_text
 from symscrew.description.mechanism import Body, Coupling, Joint, Mechanism, Parameter, Vector
-from symscrew.errors import DescriptionError, did_you_mean, in_file, shorten
+from symscrew.errors import DescriptionError, did_you_mean, expect, in_file, shorten
 
 # The reader of TOML descends once per bracket and per dot: beyond these limits a file is refused before it is read.
 MAX_BYTES = 1_000_000  # the largest of the catalogue has 14 kB
@@ -87,6 +88,7 @@ def load_description(path: str | Path, *, run_time: Sequence[str] = ()) -> Mecha
     Raises:
         DescriptionError: the file cannot be read or does not describe a mechanism.
     """
+    expect(path, str, PathLike)
     file = Path(path)
     try:
         return parse_description(read_text(file), run_time=run_time)

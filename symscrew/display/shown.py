@@ -17,7 +17,7 @@ import numpy as np
 from symscrew import notebook
 from symscrew.description import Mechanism
 from symscrew.display.view import Limits, Pictures, RecordedMotion, make_page, open_made, page_modes, write_made
-from symscrew.errors import DescriptionError
+from symscrew.errors import DescriptionError, expect
 from symscrew.model import Model, derive
 
 PICTURES = (".png", ".pdf", ".svg")  # ends of names of files that a picture can be written into
@@ -137,6 +137,8 @@ def show_page(
     elif isinstance(subject, Model):
         made = Page(subject, motion, limits, pictures)
     else:
+        if not hasattr(subject, "model"):
+            expect(subject, Mechanism, Model)
         made = Page(subject.model, recorded(subject), limits, pictures)
     if modes:
         made = replace(made, modes=page_modes(made.model))
@@ -170,6 +172,7 @@ def draw(
         azimuth: of the viewer about z, from x [degrees]; default: likewise, else -62.
         labels: whether joints and points have their names.
     """
+    expect(mechanism, Mechanism)
     from symscrew.display.drawing import mechanism_figure
 
     figure = mechanism_figure(mechanism, elevation=elevation, azimuth=azimuth, labels=labels)

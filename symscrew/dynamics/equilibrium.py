@@ -17,6 +17,7 @@ from functools import partial
 
 from symscrew.algebra import (
     IDENTITY,
+    NEGLIGIBLE,
     SAFE,
     Affine,
     Column,
@@ -26,7 +27,6 @@ from symscrew.algebra import (
     Vector,
     add,
     choose_pivot,
-    combine,
     count_operations,
     cross,
     dot,
@@ -396,23 +396,22 @@ class _Elimination:
         but for constants, which fold.
         """
         if v_index in self.driven:
-            other = self._with_multipliers(self.driven[v_index])
+            other = _with_solutions(self.driven[v_index], self.solved)
             if other != row:  # in an open chain it is the same, joint by joint: counting all behind it grows squarely
                 row = min(row, other, key=lambda way: count_operations([*way.values()]))
         known = {c: e for c, e in row.items() if c not in self.scales}
         self.setting.name_row(known, v_index)
-        if any(c != ONE for c in known):
+        if any(self._pushes(c, entry, v_index) for c, entry in known.items()):
             self.result.finals.append(known)
         elif known and v_index is not None:
             self.result.unbalanced.append(v_index)
 
-    def _with_multipliers(self, row: Affine) -> Affine:
-        """A row with all multipliers put in, as far as they are solved."""
-        total = {c: entry for c, entry in row.items() if c not in self.scales}
-        for c, entry in row.items():
-            if c in self.scales:
-                total = combine(total, entry, self.solved[c])
-        return total
+    def _pushes(self, column: Column, entry: Node, v_index: int | None) -> bool:
+        """Whether a column is a drive that does work on a freedom; a rod's spin has rounding where its ends would."""
+        if column == ONE:
+            return False
+        unit = self.setting.row_scale(v_index) * self.setting.drive_scales[column[1]]
+        return magnitude(self.setting.tape, entry, unit)[1] > NEGLIGIBLE
 
 
 def _with_solutions(affine: Affine, solutions: Mapping[Column, Affine]) -> Affine:

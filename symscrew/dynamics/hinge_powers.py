@@ -77,7 +77,8 @@ def _operations(system: System, vectors: Sequence[Vector]) -> int:
 def _tip(system: System, link: Link, inertia: Inertia, carrier: Rates) -> HingedTip:
     placed = system.placed[link.index]
     back = transpose(placed.rotation)
-    matrix = _matrix(system, link, transform(back, carrier.omega), transform(back, carrier.alpha))
+    rate, gain = system.inputs.v[link.v.start], system.inputs.a[link.v.start]
+    matrix = hinged_matrix(transform(back, carrier.omega), transform(back, carrier.alpha), rate, gain)
     origin = transform(back, carrier.origin)  # what the ground and gravity give all points
     axis, arm = transform(back, (0, 0, 1)), transform(back, placed.offset)
     couple = _couple(system, link, inertia, axis=axis, arm=arm)
@@ -154,16 +155,16 @@ def _couple(system: System, link: Link, inertia: Inertia, *, axis: Vector, arm: 
     return (p * beside, n * beside, own)
 
 
-def _matrix(system: System, link: Link, omega: Vector, alpha: Vector) -> Matrix:
-    """U of a link from the rates of its carrier, axes before its motion, whose third is the hinge's."""
-    rate, gain = system.inputs.v[link.v.start], system.inputs.a[link.v.start]
-    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = acceleration_matrix(omega, alpha)
-    inwards: Node = rate * (rate + 2 * omega[2])
+def hinged_matrix(omega: Vector, alpha: Vector, rate: Node, gain: Node) -> Matrix:
+    """U of what turns on a hinge by `rate` and `gain`, from the rates of its carrier, third axis the hinge's."""
+    (xx, xy, xz), (yx, yy, yz), (_, _, zz) = acceleration_matrix(omega, alpha)
+    x, y, z = omega
     twice = 2 * rate
+    inwards = rate * (rate + 2 * z)
     return (
         (xx - inwards, xy - gain, xz),
         (yx + gain, yy - inwards, yz),
-        (zx + twice * omega[0], zy + twice * omega[1], zz),
+        (x * (z + twice) - alpha[1], y * (z + twice) + alpha[0], zz),
     )
 
 

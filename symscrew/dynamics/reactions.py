@@ -28,6 +28,7 @@ from symscrew.algebra import (
     magnitude,
     named_wrench,
     scale,
+    subtract,
     transform,
     transpose,
 )
@@ -142,16 +143,29 @@ def _tree_reaction(
     setting: Setting, pose: Sequence[Pose], link: Link, *, before: Wrenches, known: Callable[[int], Affine]
 ) -> JointWrench:
     """What the joint transmits, its own freedoms cleared: passive ones carry nothing, driven ones the drive."""
-    frame, placed, parent = setting.frames[link.index], setting.placed[link.index], pose[link.parent]
+    placed, parent = setting.placed[link.index], pose[link.parent]
     sign = -1 if link.inverted else 1
+    rotation = Pose(parent.rotation) @ Pose(placed.rotation)
+    place = Pose(rotation.rotation, pose[link.index].translation)
+    frame = replace(setting.frames[link.index], arm=_arm(setting, pose, link, place))
     columns: Wrenches = {}
     for column, (force, moment) in before.items():
         f, m = link.pair.cleared(frame, force, moment)
         columns[column] = scale(sign, f), scale(sign, m)
-    rotation = Pose(parent.rotation) @ Pose(placed.rotation)
-    place = Pose(rotation.rotation, pose[link.index].translation)
-    _remove_known(setting, pose, link, columns=columns, place=place, known=known)
+    _remove_known(setting, pose, link, columns=columns, place=place, arm=frame.arm, known=known)
     return _named(JointWrench(link.joint, columns, place))
+
+
+def _arm(setting: Setting, pose: Sequence[Pose], last: Link, place: Pose) -> Vector:
+    """From a place on the last link of a joint to where its sliders push: its point, which the child carries."""
+    kind, arm = setting.tree.joints[last.joint].kind, setting.frames[last.index].arm
+    if len(kind.sliding) < 2:  # one axis, with which all links are in line
+        return arm if last.motion.prismatic else ZERO
+    if not last.inverted:
+        return arm
+    turning = next(link for link in setting.tree.links_of(last.joint) if link.motion.turns)
+    point = pose[turning.index].point(setting.frames[turning.index].arm)
+    return transform(transpose(place.rotation), subtract(point, place.translation))
 
 
 def _named(joint: JointWrench) -> JointWrench:
@@ -181,9 +195,13 @@ def _remove_known(
     *,
     columns: Wrenches,
     place: Pose,
+    arm: Vector,
     known: Callable[[int], Affine],
 ) -> None:
-    """Take what acts on a joint's other motions (compound, helical) along them out of what it transmits."""
+    """Take what acts on a joint's other motions (compound, helical) along them out of what it transmits.
+
+    `arm`: from the place to where sliders push, in its axes.
+    """
     sign = -1 if last.inverted else 1
     for link in setting.tree.links_of(last.joint):
         if not link.motion.single or (link is last and not link.motion.helical):
@@ -194,7 +212,7 @@ def _remove_known(
             else:
                 axis = transpose(pose[link.index].rotation)[2]
             local = scale(-sign * share, transform(transpose(place.rotation), axis))
-            accumulate(columns, column, *((local, ZERO) if link.motion.prismatic else (ZERO, local)))
+            accumulate(columns, column, *((local, cross(arm, local)) if link.motion.prismatic else (ZERO, local)))
 
 
 def solve_reactions(setting: Setting, found: Sequence[JointWrench], free: Sequence[Column]) -> Reactions:

@@ -101,6 +101,13 @@ class Setting:
         """1/length for the row of a rotation (its entries for forces are lever arms), 1 for a translation."""
         return 1.0 if v_index is None or self.tree.v[v_index].kind == "length" else 1.0 / self.length
 
+    @cached_property
+    def drive_scales(self) -> dict[int, float]:
+        """Index into u -> unit scale of the drive's column."""
+        forces = {u: self.tree.v[k].kind == "length" for k, u in self.drives.items()}
+        forces |= {u: row.unit == "N" for some in self.cut_drives.values() for u, row in some}
+        return {u: 1.0 if forces[u] else self.length for u in sorted(forces)}
+
     def multipliers(self) -> dict[Column, float]:
         """All multiplier columns with their unit scale; a bar has its tension per length."""
         return {

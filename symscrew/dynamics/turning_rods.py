@@ -33,9 +33,10 @@ from symscrew.algebra import (
     transform,
     transpose,
 )
+from symscrew.dynamics.hinge_powers import hinged_matrix
 from symscrew.dynamics.rods import Rod
 from symscrew.dynamics.setting import Bar, Wrench
-from symscrew.kinematics import GROUND, Link, Linkage, Rates, System, acceleration_matrix
+from symscrew.kinematics import GROUND, Link, Linkage, Rates, System
 
 
 def fanned(system: System, rods: Mapping[int, Rod]) -> bool:
@@ -73,18 +74,6 @@ class _Hinge:
         """From the axes of what carries the hinge to those behind it."""
         return transform(transpose(self.turn), transform(transpose(self.rotation), vector))
 
-    def matrix(self, omega: Vector, alpha: Vector) -> Matrix:
-        """U of what turns on the hinge, from the rates of what carries it: see `symscrew.dynamics.hinge_powers`."""
-        (xx, xy, xz), (yx, yy, yz), (_, _, zz) = acceleration_matrix(omega, alpha)
-        x, y, z = omega
-        twice = 2 * self.rate
-        inwards = self.rate * (self.rate + 2 * z)
-        return (
-            (xx - inwards, xy - self.gain, xz),
-            (yx + self.gain, yy - inwards, yz),
-            (x * (z + twice) - alpha[1], y * (z + twice) + alpha[0], zz),
-        )
-
 
 @dataclass(frozen=True)
 class TurningRod:
@@ -110,7 +99,8 @@ class TurningRod:
         alpha = add(add(alpha, (0, 0, inner.gain)), cross(omega, (0, 0, inner.rate)))
         omega, alpha = named_vector(add(omega, (0, 0, inner.rate)), "omega", first), named_vector(alpha, "alpha", first)
         omega = named_vector(last.carried(omega), "omega", second, prefix="carried_")
-        matrix = last.matrix(omega, named_vector(last.carried(alpha), "alpha", second, prefix="carried_"))
+        alpha = named_vector(last.carried(alpha), "alpha", second, prefix="carried_")
+        matrix = hinged_matrix(omega, alpha, last.rate, last.gain)
         x, y, z = named_vector(transform(matrix, scale(self.rod.masses[1], self.rod.line)), "momentum_rate", second)
         along = [not is_zero(c) for c in self.rod.line]
         across: Vector = (0, y, z) if along == [True, False, False] else (x, 0, z) if along[0] is False else (x, y, z)

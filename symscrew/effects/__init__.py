@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from symscrew.effects.acting import Acting
-from symscrew.effects.effect import Effect, system_under, transformed
+from symscrew.effects.effect import Effect, given_effects, system_under, transformed
 from symscrew.effects.of_files import effects_of_file, forces_of_effects, stops_of_file
 from symscrew.effects.records import AddedInertia, Contact, Estimate, Passed, State
 from symscrew.effects.registry import (
@@ -18,6 +18,7 @@ from symscrew.effects.registry import (
     effect_from_table,
     effect_to_table,
     effect_types,
+    effects_of_text,
     known_effects,
     load_effects,
     simplifications,
@@ -44,7 +45,9 @@ __all__ = [
     "effect_to_table",
     "effect_types",
     "effects_of_file",
+    "effects_of_text",
     "forces_of_effects",
+    "given_effects",
     "known_effects",
     "load_effects",
     "simplifications",

@@ -9,6 +9,7 @@ forces they keep; they know none of them by its name.
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
@@ -17,7 +18,7 @@ from typing import Any, ClassVar
 from symscrew.description import Mechanism
 from symscrew.effects.acting import Acting
 from symscrew.effects.records import Contact, Passed
-from symscrew.errors import DescriptionError
+from symscrew.errors import DescriptionError, KindError, expect, shorten
 from symscrew.kinematics import Rolling, System
 
 Number = str | int | float | Decimal | Fraction  # texts are expressions of the mechanism's parameters
@@ -140,6 +141,21 @@ def transformed(mechanism: Mechanism, effects: tuple[Effect, ...]) -> Mechanism:
     for effect in sorted(effects, key=lambda e: not e.simplifies):
         mechanism = effect.transform(mechanism)
     return mechanism
+
+
+def given_effects(effects: Sequence[Effect]) -> tuple[Effect, ...]:
+    """The effects that somebody gave, each looked at.
+
+    Raises:
+        KindError: one effect in place of a sequence, or what is none: a name, a class.
+    """
+    if isinstance(effects, str) or not isinstance(effects, Iterable):
+        kind = type(effects).__name__
+        raise KindError(f"expected a sequence of effects, (symscrew.Gravity(),), got {shorten(effects)} ({kind})")
+    every = tuple(effects)
+    for effect in every:
+        expect(effect, Effect)
+    return every
 
 
 def system_under(mechanism: Mechanism, effects: tuple[Effect, ...]) -> System:

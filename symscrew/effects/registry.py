@@ -164,12 +164,17 @@ def load_effects(path: str | Path) -> tuple[Effect, ...]:
     """
     file = Path(path)
     try:
-        tables = read_tables(read_text(file)).get("effects")
-        if not isinstance(tables, list):
-            raise DescriptionError("expected tables [[effects]] in the file, found none")
-        return tuple(effect_from_table(table, f"effects[{k}]") for k, table in enumerate(tables))
+        return effects_of_text(read_text(file))
     except DescriptionError as error:
         raise DescriptionError(f"{file.name}: {error}") from error
+
+
+def effects_of_text(text: str) -> tuple[Effect, ...]:
+    """As `load_effects`, of what stands in the file."""
+    tables = read_tables(text).get("effects")
+    if not isinstance(tables, list):
+        raise DescriptionError("expected tables [[effects]] in the file, found none")
+    return tuple(effect_from_table(table, f"effects[{k}]") for k, table in enumerate(tables))
 
 
 def effect_to_table(effect: Effect) -> dict[str, Any]:

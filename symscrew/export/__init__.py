@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from symscrew.export.casadi_hessians import hessians_model, print_hessians
     from symscrew.export.cpp import print_cpp
     from symscrew.export.cuda import CUDA_THREADS, print_cuda, print_device
-    from symscrew.export.drive_kinematics import DriveKinematics, find_drive_kinematics
+    from symscrew.export.drive_kinematics import DriveKinematics, find_drive_kinematics, tool_name
     from symscrew.export.drive_kinematics_c import axes_text, print_drive_host
     from symscrew.export.example import print_cmake, print_example
     from symscrew.export.hash_file import HASHES, FileHash, file_hash, print_hashes, read_hashes
@@ -120,6 +120,7 @@ __all__ = [
     "readable_sources",
     "rounded",
     "single_errors",
+    "tool_name",
     "wrapped",
 ]
 

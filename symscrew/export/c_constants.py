@@ -19,15 +19,14 @@ from symscrew.description import exact
 from symscrew.errors import DescriptionError
 from symscrew.export.c_names import TAKEN
 from symscrew.export.c_precision import Precision
+from symscrew.export.constant_formulas import SILENT, Formulas, Unit, unit_of, unit_text
 from symscrew.export.listing import plain, wrapped
 from symscrew.export.value_names import LEGEND, identifier
 from symscrew.model import Model
 from symscrew.program import Iteration, Program, RankRevealing
 
-SILENT = frozenset((0.0, 0.5, 1.0, 2.0, 3.0, 4.0))  # factors of formulas, not of a mechanism
 AXES = "xyz"
 LONGEST = 24  # characters of a name that is put together from factors
-DEEPEST = 3  # operations inside each other that are told of how a constant was folded: more tell nobody anything
 WIDTH = 110  # characters of what is said of a constant, in a line
 LIBRARY = re.compile(r"^[A-Z_0-9]+$|_[trl]$")  # names as C's own headers have them: M_PI, size_t, lgamma_r
 ANY = re.compile(r"k\d+")
@@ -55,6 +54,9 @@ class Constants:
         self.used: set[float] = set()
         self._nodes: dict[float, Node] = {}
         self._meanings: dict[Node, dict[Meaning, None]] = {}  # each once, in order
+        self._formulas = Formulas(self._units, self._called), Formulas(self._units, self._called, loose=True)
+        self._mentioned: dict[Node, str] = {}  # in formulas, beside those that are printed
+        self._taken: set[str] = set()
         system = getattr(model, "system", None)
         if system is None:
             return
@@ -64,12 +66,10 @@ class Constants:
         for node in (node for program in programs for node in program.folded):
             self._nodes.setdefault(float(node.value), node)
         ports = (p for f in model.programs.values() for p in (*f.inputs, *f.outputs))
-        taken = {*TAKEN, *(port.name for port in ports)}
+        self._taken = {*TAKEN, *(port.name for port in ports)}
         for size in _sizes(programs):
             if size not in SILENT and size in self._nodes:
-                name = self._name(self._nodes[size], taken)
-                taken.add(name)
-                self.names[size] = name
+                self.names[size] = self._name(self._nodes[size])
 
     def _explain(self, system: Any) -> None:
         """Which node of the tape each number is, and what it means."""
@@ -92,19 +92,26 @@ class Constants:
         self.used.add(size)
         return f"(-{self.names[size]})" if value < 0 else self.names[size]
 
-    def _name(self, node: Node, taken: Collection[str]) -> str:
+    def _name(self, node: Node) -> str:
+        """A name that no other constant has."""
         name = self._symbol(node)
         if LIBRARY.search(name) or name.startswith(f"{self.model.name}_"):
             name = f"value_{name}"
         found, number = name or "k1", 2
-        while found in taken:
+        while found in self._taken:
             found, number = (f"{name}_{number}" if name else f"k{number}"), number + 1
+        self._taken.add(found)
         return found
 
     def _symbol(self, node: Node) -> str:
-        """A name from what the number is, or from what it is made of; none where that would be too long."""
+        """A name from what the number is, or from what it is made of; none where that would be too long.
+
+        Nor has a number one that is, say, a mass and a length: it would be wrong wherever it is the other.
+        """
         meanings = self._meanings.get(node)
         if meanings:
+            if len(set(self._units(node))) > 1:
+                return ""
             first = next(iter(meanings)).symbol
             return identifier(Origin(first, common([m.part for m in meanings if m.symbol == first])))
         made = node.args[0]
@@ -113,6 +120,19 @@ class Constants:
             name = "_".join(factors)
             return name if all(factors) and len(name) <= LONGEST else ""
         return ""
+
+    def _units(self, node: Node) -> tuple[Unit | None, ...]:
+        """The units that a number has in the description."""
+        return tuple(dict.fromkeys(unit_of(m.unit) for m in self._meanings.get(node, ())))
+
+    def _called(self, node: Node) -> str:
+        """What a number of the description is called in a formula; it is told what it is, then."""
+        size = abs(float(node.value))
+        if size in self.used and self._nodes[size] is node:
+            return self.names[size]
+        if node not in self._mentioned:
+            self._mentioned[node] = self.names.get(size) or self._name(node)
+        return self._mentioned[node]
 
     def lines(self) -> list[str]:
         """How values are called; then the block: a line a constant, those of a part together, what is folded last."""
@@ -132,53 +152,62 @@ class Constants:
             lines.append(f"    {name} = {self.precision.number(size)}{end} /* {told[0]}")
             lines += told[1:]
             lines[-1] += " */"
-        return lines
+        return lines + self._others()
+
+    def _others(self) -> list[str]:
+        """What formulas mention and no statement reads."""
+        told: dict[Node, tuple[str, str]] = {}
+        while len(told) < len(self._mentioned):  # what is told may mention more
+            for node, name in list(self._mentioned.items()):
+                if node not in told:
+                    told[node] = name, f"{name} = {self.precision.number(abs(float(node.value)))} {self._told(node)}"
+        if not told:
+            return []
+        lines = ["/* They are made of these, too, which no statement reads:"]
+        for _, text in sorted({*told.values()}, key=lambda one: (bool(ANY.fullmatch(one[0])), *one)):
+            lines += wrapped(text, first="   ", later="       ", width=WIDTH)
+        return [*lines[:-1], f"{lines[-1]} */"]
 
     def _told(self, node: Node) -> str:
-        """Unit, words and formula."""
-        meanings = tuple(self._meanings.get(node, ()))
-        made = self._formula(node.args[0], DEEPEST)
-        if not meanings:
-            return plain(made or "of the geometry")
-        first = meanings[0]
-        parts = list(dict.fromkeys(m.part for m in meanings if m.symbol == first.symbol and m.part))
-        several = ", ".join(parts[:PARTS]) + (" ..." if len(parts) > PARTS else "")
-        also = list(dict.fromkeys(f"{m.symbol} of {m.part}" for m in meanings if m.symbol != first.symbol and m.part))
-        text = f"[{first.unit}] {first.words}{f' of {several}' if several else ''}"
-        text += f", also {also[0]}" if also else ""
-        return plain(text + (f": {made}" if made and made != self.precision.number(float(node.value)) else ""))
+        """What the number is, each with its unit, and how it was folded where that has this unit."""
+        texts, told = [], {self.precision.number(float(node.value)): None}
+        given = self._units(node)
+        formulas, folded, known = self._folded(node, given)
+        for unit in given:
+            formula = formulas.told(node, unit) if not folded or unit in folded else ""
+            text = _words([m for m in self._meanings[node] if unit_of(m.unit) == unit])
+            texts.append(f"{text}: {formula}" if formula and formula not in told else text)
+            told[formula] = None
+        new = {formula: unit for unit, formula in ((unit, formulas.told(node, unit)) for unit in known)}
+        if not given and (len(new) < max(1, len(known)) or None in folded):  # one formula, and which unit nobody knows
+            return plain(next(iter(new), formulas.told(node, None)) or "of the mechanism")
+        texts += [f"[{unit_text(unit)}] {formula}" for formula, unit in new.items() if formula and formula not in told]
+        return plain("; also ".join(texts))
 
-    def _formula(self, made: Any, depth: int) -> str:
-        """How the tape made a constant, of constants that have names here; "" where nothing tells."""
-        if not isinstance(made, tuple):
-            return "" if made is None else str(made)
-        if made[0] == "neg_of":
-            inner = self._formula(made[1], depth)
-            return f"-({inner})" if inner else ""
-        if not depth:
-            return ""
-        operands = [self._operand(part, depth - 1) for part in made[1:]]
-        if made[0] == "add" and len(set(operands)) > 1:
-            return " + ".join(operands).replace("+ -", "- ")
-        factors = [text if re.fullmatch(r"[\w. *()]+", text) else f"({text})" for text in operands]
-        if made[0] in ("add", "mul"):
-            return " * ".join(["2", factors[0]] if made[0] == "add" else factors)
-        if made[0] == "reciprocal":
-            return f"1 / {operands[0]}" if re.fullmatch(r"[\w.]+", operands[0]) else f"1 / ({operands[0]})"
-        return f"{made[0]}({', '.join(operands)})"
+    def _folded(
+        self, node: Node, given: Collection[Unit | None]
+    ) -> tuple[Formulas, frozenset[Unit | None], list[Unit]]:
+        """Formulas by which a constant is what it is in the description; the units that it has by them; those known.
 
-    def _operand(self, node: Node, depth: int) -> str:
-        inner = _positive(node)
-        size = abs(float(inner.value))
-        if size in SILENT:
-            text = f"{size:g}"
-        elif inner in self._meanings:
-            text = self.names.get(size) or self._symbol(inner)
-        else:
-            text = self._formula(inner.args[0], depth) or repr(size)
-        if node.op != "neg":
-            return text
-        return f"-({text})" if " " in text else f"-{text}"
+        Squares of masses are taken for what they are only where it can be nothing else.
+        """
+        for formulas in self._formulas:
+            folded = formulas.units(node, folded=True)
+            known = sorted(unit for unit in folded if unit is not None)
+            few = [unit for unit in known if abs(unit[1]) < 2]
+            if {*given} & folded if given else few or None in folded:
+                break
+        return formulas, folded, few if few or given else known
+
+
+def _words(meanings: Sequence[Meaning]) -> str:
+    """What a number is, with its unit."""
+    first = meanings[0]
+    parts = list(dict.fromkeys(m.part for m in meanings if m.symbol == first.symbol and m.part))
+    several = ", ".join(parts[:PARTS]) + (" ..." if len(parts) > PARTS else "")
+    also = list(dict.fromkeys(f"{m.symbol} of {m.part}" for m in meanings if m.symbol != first.symbol and m.part))
+    text = f"[{first.unit}] {first.words}{f' of {several}' if several else ''}"
+    return text + (f", also {also[0]}" if also else "")
 
 
 def _positive(node: Node) -> Node:

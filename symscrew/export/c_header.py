@@ -10,12 +10,13 @@ from symscrew.export import c_batch
 from symscrew.export.c_names import arguments, declare
 from symscrew.export.c_parameters import parameter_type
 from symscrew.export.c_precision import DOUBLE, Precision
+from symscrew.export.c_rank_revealing import entries_on_stack
 from symscrew.export.c_single import error_lines, single_errors
 from symscrew.export.c_wide import LANES
 from symscrew.export.conventions import conventions
 from symscrew.export.listing import MAX_LABELS, banner, operations_text, packed, plain, statuses, unit_of, wrapped
 from symscrew.model import Model
-from symscrew.program import OUT_OF_REACH, Iteration, Port, Program, status_texts
+from symscrew.program import OUT_OF_REACH, Iteration, Port, Program, RankRevealing, status_texts
 
 STATUS_MACROS = {
     -2: "RANK_LOST",
@@ -47,8 +48,10 @@ ABOUT_BATCHES = """A batch writes the status of each of `count` states to `statu
 the largest, 0 if all are below. <function>_batch takes the arrays of the states one after the other;
 <function>_batch_soa has entry k of state i at [k * stride + i], stride >= count. Both take eight states at once on
 vector units; results may differ from those of single calls by rounding (not where the compiler contracts nothing and
-the sines are the same). With -fopenmp, %d states and more are shared among threads. The stack holds blocks of eight
-states, %d bytes and temporaries at most: define %s_STATE_BY_STATE to do without."""
+the sines are the same). With -fopenmp, %d states and more are shared among threads."""
+ABOUT_STACK = "The stack holds the temporaries of a call, which a compiler tells (-fstack-usage)"
+ABOUT_SECOND_PATHS = "near a small pivot, where the status is below 0, also arrays of %d bytes at most"
+ABOUT_BLOCKS = "batches also hold blocks of eight states, of %d bytes at most: define %s_STATE_BY_STATE to do without"
 ABOUT_LANES = """Single calls have equal limbs side by side on vector units of x86-64 (AVX2) where that is faster;
 results are those of limb after limb, but for what the compiler contracts. Define %s_LIMB_BY_LIMB to do without."""
 
@@ -58,9 +61,8 @@ def print_header(model: Model, *, precision: Precision = DOUBLE, batches: bool =
     upper = model.name.upper()
     about = [ABOUT_ARRAYS]
     if batches:
-        room = max((sum(p.size for p in (*f.inputs, *f.outputs)) for f in model.programs.values()), default=0)
-        stack = LANES * room * precision.size
-        about += [ABOUT_BATCHES % (c_batch.THREADED, stack, upper), ABOUT_LANES % upper]
+        about += [ABOUT_BATCHES % c_batch.THREADED, ABOUT_LANES % upper]
+    about.append(_stack(model, precision, batches=batches))
     if precision.suffix:
         about = [f"Single precision: all numbers are of type {precision.real}.", *about]
     measured = single_errors(model) if precision.suffix else {}
@@ -85,6 +87,7 @@ def print_header(model: Model, *, precision: Precision = DOUBLE, batches: bool =
         'extern "C" {',
         "#endif",
         "",
+        "/* What a status means, in words that stay where they are: nobody frees them. */",
         f"const char *{model.name}_status_text(int status);",
         *parameter_type(model, precision),
     ]
@@ -104,6 +107,18 @@ def print_header(model: Model, *, precision: Precision = DOUBLE, batches: bool =
 def comment(lines: Iterable[str]) -> list[str]:
     """Lines as a comment of C."""
     return ["/*", *((f" * {line}").rstrip() for line in lines), " */"]
+
+
+def _stack(model: Model, precision: Precision, *, batches: bool) -> str:
+    """What calls take of the stack at most."""
+    told, programs = [ABOUT_STACK], model.programs.values()
+    second = max((entries_on_stack(f) for f in programs if isinstance(f, RankRevealing)), default=0)
+    if second:
+        told.append(ABOUT_SECOND_PATHS % (second * precision.size))
+    if batches:
+        room = max((sum(p.size for p in (*f.inputs, *f.outputs)) for f in programs), default=0)
+        told.append(ABOUT_BLOCKS % (LANES * room * precision.size, model.name.upper()))
+    return f"{'; '.join(told)}."
 
 
 def _told_once(model: Model) -> list[str]:

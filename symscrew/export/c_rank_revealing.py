@@ -288,6 +288,16 @@ def second_path(printed: Printed, signature: str, define: Define, dense: str) ->
     return lines
 
 
+def entries_on_stack(program: RankRevealing) -> int:
+    """So many numbers do the arrays of its second path hold, without those of the functions that it calls."""
+    n, m = len(program.rates), len(program.rows)
+    found = 3 * n * n + 4 * n + n * m + 2 * m
+    if program.wrenches:
+        size = program.outputs[1].size
+        found += 2 * size + 2 * m * m + m * size + 2 * m if program.loads_matter else size
+    return found
+
+
 def _with_internal_loads(printed: Printed, program: RankRevealing, given: str, outputs: Sequence[str]) -> list[str]:
     """Reactions for the multipliers found, plus the internal loads that make their sum of squares smallest."""
     model, symbol, precision = printed.model, printed.symbol, printed.precision

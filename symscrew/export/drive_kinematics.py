@@ -198,9 +198,14 @@ def own_points(model: Model) -> dict[str, np.ndarray]:
 
 def tool_point(model: Model) -> np.ndarray:
     """The tool in absolute axes at the reference: a point of the platform with a usual name, else its first, else O."""
+    name = tool_name(model)
+    return np.zeros(3) if name is None else own_points(model)[name]
+
+
+def tool_name(model: Model) -> str | None:
+    """The point of the platform that is taken for the tool; None where it has no named points."""
     points = own_points(model)
-    name = next((n for n in (*TOOLS, *points) if n in points), None)
-    return np.zeros(3) if name is None else points[name]
+    return next((n for n in (*TOOLS, *points) if n in points), None)
 
 
 def _twists(model: Model, q: np.ndarray) -> np.ndarray:

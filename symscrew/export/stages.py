@@ -92,8 +92,12 @@ class Stages:
 
     @cached_property
     def places(self) -> Mapping[int, str]:
-        """Slot to limb or body: its own, that of all its operands, or that of its first reader."""
+        """Slot to limb or body: its own, that of all its operands, or that of its first reader.
+
+        What is made of several, and read by several limbs, is of none of them.
+        """
         origins, places = self.program.origins, dict[int, str]()
+        shared = self._shared if self.limbs else frozenset[int]()
         for slot in range(sum(port.size for port in self.program.inputs)):
             places[slot] = self._place(origins.get(slot) or self.served.get(slot))
         served, place = self.served, self._place
@@ -104,8 +108,19 @@ class Stages:
                 if len(among) == 1:
                     places[target] = among.pop()
                     continue
-            places[target] = place(own or served.get(target))
+            places[target] = place(own or served.get(target)) if target not in shared else ""
         return places
+
+    @cached_property
+    def _shared(self) -> frozenset[int]:
+        """What the theory has no name for and values of several limbs are made of, themselves or through such."""
+        origins, readers = self.program.origins, dict[int, set[str]]()
+        for target, _, args in reversed(self.program.instructions):
+            own = {self._place(origins[target])} & self.limbs if target in origins else readers.get(target, set())
+            for arg in args:
+                if type(arg) is int and arg not in origins:
+                    readers.setdefault(arg, set()).update(own)
+        return frozenset(slot for slot, limbs in readers.items() if len(limbs) > 1)
 
     def _place(self, origin: Origin | None) -> str:
         if origin is None:

@@ -8,6 +8,7 @@ Draft --merged_joints--> bodies, joints --file_names--> names --MechanismBuilder
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from decimal import Decimal
 
 from symscrew.description import Mechanism, MechanismBuilder
@@ -25,7 +26,8 @@ from symscrew.formats.beside import (
 )
 from symscrew.formats.draft import Draft, RawBody, RawJoint
 from symscrew.formats.file_names import fresh, mechanism_name, printable, safe_names
-from symscrew.formats.idle_spins import bars
+from symscrew.formats.held_platform import held_platform
+from symscrew.formats.idle_spins import bars, spinning_rods
 from symscrew.formats.import_options import ImportOptions
 from symscrew.formats.imported import Imported
 from symscrew.formats.merged_joints import merged
@@ -53,15 +55,17 @@ def imported(draft: Draft, options: ImportOptions) -> Imported:
         raise DescriptionError(f"{draft.origin}: it has no joints; expected at least one moving body")
     settle_rigid_groups(draft)
     bodies, joints, parts = merged(draft)
+    whole = {name: stem for name, (stem, _) in {**draft.parts_of, **parts}.items()}
     if options.bars:
-        whole = {name: stem for name, (stem, _) in {**draft.parts_of, **parts}.items()}
         bodies, joints = bars(draft, bodies, joints, whole)
+    rods = spinning_rods(draft, bodies, joints, whole)
+    draft.platform = draft.platform or held_platform(draft.ground, joints)
     named_bodies = safe_names([draft.ground, *(body.name for body in bodies)])
     named_joints = safe_names(joint.name for joint in joints)
     renamed = [f"{old} -> {new}" for names in (named_bodies, named_joints) for old, new in names.items() if old != new]
     bodies = [physical(body, draft.ledger, repair=options.repair) for body in bodies]
     check_forces(draft)
-    account = account_of(draft)
+    account = replace(account_of(draft), rods=tuple(named_bodies[name] for name in rods))
     if account.influence and not options.accept:
         raise DescriptionError(
             f"what numbers depend on would be left out: {', '.join(account.influence)}; accept that with --accept "

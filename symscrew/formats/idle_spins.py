@@ -1,25 +1,28 @@
 """Rods between two balls as bars: their spin about the line of the balls, which moves nothing else, is left out.
 
-    bodies, joints --bars--> the same with a universal joint in place of one ball, mass on the line, and the platform
+    bodies, joints --bars--> the same with a universal joint in place of one ball, mass on the line
 
 That nothing else is moved needs no computation: a turn about the line through both centres leaves both where they are.
 So the spin is a freedom of every pose, its rate multiplies nothing but the rod's own inertia, and no drive reaches it.
 What is left of a rod is its mass m, its centre's place along the line and its mean inertia across the line. What is
 left out is said for each: how far the centre is off the line, and the norm of what changes of the inertia about the
 inner ball. With D that norm and e the offset, the rod's kinetic energy changes by at most D w^2/2 + m e w v for a turn
-w and a speed v of that ball. Of a rod that is symmetric about the line nothing changes but its spin. Forces and limits
-of the two balls have no place in a bar: with them it needs `accept`.
+w and a speed v of that ball. Of a rod that is symmetric about the line nothing changes but its spin.
+
+Rotor inertia, damping and dry friction of the inner ball act about the axes of the universal joint: what they did to
+the spin goes with it. A spring along the shortest turn, and limits, have no place there: with them it needs `accept`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from symscrew.errors import DescriptionError
-from symscrew.formats.draft import Draft, RawBody, RawJoint
+from symscrew.formats.draft import Draft, RawBody, RawEffect, RawJoint
+from symscrew.formats.held_platform import depths
 from symscrew.formats.rigid_displacements import (
     UNITS,
     Real,
@@ -39,8 +42,8 @@ from symscrew.formats.tree_freedoms import doubles
 ASIDE = 0.3
 """Sine of the angle [1] between the rod and an axis of its neighbour from which on the universal joint has that axis:
 the drives then share its turn. Nearer, a universal joint would be close to where its two turns are one."""
-LEGS = 3
-"""Ways from the ground to a body from which on it is a platform whose legs are chains of their own."""
+ABOUT_AXES = ("armature", "damping", "friction")
+"""Forces of a ball that are the same about every axis, or are listed by axis."""
 NO_ROD = 1e-9
 """Distance of two balls [m] below which there is no line between them."""
 
@@ -60,7 +63,7 @@ class _Rod:
 def bars(
     draft: Draft, bodies: Sequence[RawBody], joints: Sequence[RawJoint], whole: Mapping[str, str]
 ) -> tuple[list[RawBody], list[RawJoint]]:
-    """Bodies and joints with bars for rods, and what changed in the draft's ledger; its platform is found.
+    """Bodies and joints with bars for rods, and what changed in the draft's ledger.
 
     What is rounding of zero goes first: taken out of an axis later, it would leave the next one not across it.
 
@@ -76,23 +79,53 @@ def bars(
         raise DescriptionError(
             "--bars: expected a rod between two balls without drives, couplings and loads, found none"
         )
-    _without_forces(draft, {name for rod in rods for name in rod.balls}, whole)
+    _settle_forces(draft, {rod.inner.name: rod for rod in rods}, whole)
     made = {rod.body.name: _bar(draft, rod) for rod in rods}
     turned = {rod.inner.name: _universal(rod) for rod in rods}
     for name in turned:
         for given in (draft.starts, draft.start_rates):
             for start, values in given.items():
                 given[start] = {key: value for key, value in values.items() if whole.get(key[0], key[0]) != name}
-    draft.platform = draft.platform or _platform(draft.ground, joints)
     return [made.get(body.name, body) for body in bodies], [turned.get(joint.name, joint) for joint in joints]
 
 
-def _without_forces(draft: Draft, balls: Collection[str], whole: Mapping[str, str]) -> None:
-    """Forces and limits of the rods' balls have no place in a bar: the ledger says so, as of all that is left out."""
-    left = [effect for effect in draft.effects if whole.get(effect.joint, effect.joint) in balls]
-    for kind, joint in dict.fromkeys((effect.table["kind"], effect.joint) for effect in left):
-        draft.ledger.lost(f"{kind} of the rod's ball {joint}")
-    draft.effects = [effect for effect in draft.effects if effect not in left]
+def spinning_rods(
+    draft: Draft, bodies: Sequence[RawBody], joints: Sequence[RawJoint], whole: Mapping[str, str]
+) -> list[str]:
+    """The bodies that could be bars; of what a chain of `joints` makes one joint, `whole` is as for `bars`."""
+    return [rod.body.name for rod in _rods(draft, bodies, joints, whole)]
+
+
+def _settle_forces(draft: Draft, inner: Mapping[str, _Rod], whole: Mapping[str, str]) -> None:
+    """Forces of an inner ball act about the axes of its universal joint, where they have an axis; others are left out.
+
+    The two axes are at right angles always, so that a rate w of the rod in the joint has w^2 = a^2 + b^2 with the
+    rates about them: what is the same about every axis of the ball is the same about both. Where the first is at right
+    angles to the rod, w is the least rate with which the ball lets it turn; a leaning one has the rod spin along.
+    """
+    kept: list[RawEffect] = []
+    turned: dict[str, dict[str, None]] = {}
+    for effect in draft.effects:
+        ball, kind = whole.get(effect.joint, effect.joint), effect.table["kind"]
+        freedom = effect.table.get("freedom")
+        if ball not in inner:
+            kept.append(effect)
+        elif ball != effect.joint or kind not in ABOUT_AXES:
+            draft.ledger.lost(f"{kind} of the rod's ball {effect.joint}")
+        else:
+            axes: Iterable[int | None] = range(2) if kind == "armature" else [freedom]
+            tables = [effect.table if k is None else {**effect.table, "freedom": k} for k in axes if k != 2]
+            kept += [replace(effect, table=table) for table in tables]
+            turned.setdefault(ball, {})[kind] = None
+    draft.effects = kept
+    for ball, kinds in turned.items():
+        rod = inner[ball]
+        lean = np.degrees(np.arcsin(min(float(length(cross(rod.across, unit(rod.line, "rod")))), 1.0)))
+        draft.ledger.changed.append(
+            f"{ball}: {', '.join(kinds)} about the axes of the bar's universal joint, at {lean:.3g} deg to the bar and "
+            "across it"
+        )
+    balls = {name for rod in inner.values() for name in rod.balls}
     for name in [name for name in draft.limits if whole.get(name, name) in balls]:
         del draft.limits[name]
         draft.ledger.lost("limits of rods' balls")
@@ -104,9 +137,15 @@ def _rods(
     points = {name: body for name, body, _ in draft.points}
     kept = {whole.get(name, name) for coupling in draft.couplings for name in coupling.terms}
     kept |= {*draft.drags, *(points[load.point] for load in draft.loads)}
-    depths = _depths(draft.ground, joints)
+    meeting: dict[str, list[RawJoint]] = {}
+    for joint in joints:
+        for end in (joint.parent, joint.child):
+            meeting.setdefault(end, []).append(joint)
+    if not any(len(at) == 2 and all(j.type == "S" for j in at) for at in meeting.values()):
+        return
+    deep = depths(draft.ground, joints)
     for body in bodies:
-        at = [joint for joint in joints if body.name in (joint.parent, joint.child)]
+        at = meeting.get(body.name, [])
         if len(at) != 2 or body.name == draft.ground:
             continue
         if any(j.type != "S" or j.driven or any(j.reference) or j.name in kept for j in at) or body.name in kept:
@@ -114,21 +153,11 @@ def _rods(
         ends = [j.child if j.parent == body.name else j.parent for j in at]
         if ends[0] == ends[1]:
             continue
-        near = int(depths.get(ends[1], 0) < depths.get(ends[0], 0))
+        near = int(deep.get(ends[1], 0) < deep.get(ends[0], 0))
         line = minus(at[1 - near].point, at[near].point)
         if length(line) > NO_ROD:
             balls = (at[0].name, at[1].name)
             yield _Rod(body, at[near], ends[near], balls, line, _across(ends[near], joints, line))
-
-
-def _depths(ground: str, joints: Sequence[RawJoint]) -> dict[str, int]:
-    """Joints between the ground and every body."""
-    found, frontier = {ground: 0}, [ground]
-    while frontier:
-        ends = [pair for j in joints for pair in ((j.parent, j.child), (j.child, j.parent)) if pair[0] in frontier]
-        frontier = list(dict.fromkeys(far for _, far in ends if far not in found))
-        found.update((far, 1 + max(found.values())) for far in frontier)
-    return found
 
 
 def _across(neighbour: str, joints: Sequence[RawJoint], line: Triple) -> Triple:
@@ -182,16 +211,3 @@ def _about(body: RawBody, point: Triple) -> np.ndarray:
     own = np.array([doubles(row) for row in body.inertia])
     found: np.ndarray = own + float(body.mass) * (arm @ arm * np.eye(3) - np.outer(arm, arm))
     return found
-
-
-def _platform(ground: str, joints: Sequence[RawJoint]) -> str | None:
-    """The body that most legs hold, three at least: ways from the ground that end in a joint of theirs each."""
-    legs: dict[str, int] = {}
-    for body in dict.fromkeys(end for joint in joints for end in (joint.parent, joint.child)):
-        if body != ground:
-            without = [joint for joint in joints if body not in (joint.parent, joint.child)]
-            reached = _depths(ground, without)
-            ends = [j.child if j.parent == body else j.parent for j in joints if body in (j.parent, j.child)]
-            legs[body] = sum(end in reached for end in ends)
-    best = max(legs, key=lambda body: legs[body], default=None)
-    return best if best is not None and legs[best] >= LEGS else None

@@ -39,13 +39,17 @@ class Beside:
 
 @dataclass(frozen=True)
 class Account:
-    """What became of what a file says, how often it occurs; `changed`: numbers that are not the file's, in words."""
+    """What became of what a file says, how often it occurs; `changed`: numbers that are not the file's, in words.
+
+    `rods`: bodies between two balls that could be bars, whose spins `ImportOptions.bars` leaves out.
+    """
 
     taken: Mapping[str, int]
     effects: Mapping[str, int]
     harmless: Mapping[str, int]
     influence: Mapping[str, int]
     changed: tuple[str, ...] = ()
+    rods: tuple[str, ...] = ()
 
     def lines(self) -> list[str]:
         """The table, a line a kind; kinds that do not occur are left out."""

@@ -57,7 +57,7 @@ class Reading:
     `listed`: joints in the order of the file's coordinates; `parts`: settings and meshes of the models in the file;
     `in_medium`: bodies have drag; `carried`: body -> share of its weight, `borne`: joints whose part of that is the
     actuators'; `stand_ins`: bodies with inertials where geoms are to say the mass and none does; `geoms`: those with
-    names, and their bodies.
+    names, and their bodies; `given`: names that bodies and joints of the file have, which none without gets.
     """
 
     settings: Settings
@@ -81,6 +81,7 @@ class Reading:
     bare: dict[str, Triple] = field(default_factory=dict)
     stand_ins: set[str] = field(default_factory=set)
     geoms: dict[str, tuple[str, Part]] = field(default_factory=dict)
+    given: frozenset[str] = frozenset()
 
     def within(self, attached: Element) -> Reading:
         """The same reading with the units, classes and meshes of a model that is attached."""
@@ -141,7 +142,7 @@ def _read_body(reading: Reading, element: Element, outer: Place) -> None:
     name = element.get("name")
     if name in reading.poses:
         raise DescriptionError(f"{where}: two bodies have this name")
-    name = name or fresh("body", reading.poses)
+    name = name or fresh("body", reading.poses.keys() | reading.given)
     pose = outer.pose @ reading.settings.pose(element.attrib, where)
     own, local = _own(reading, element, inherited, pose), reading.poses[outer.body].inverse() @ pose
     joints, moved = _joints(reading, outer.body, Place(name, pose, inherited), own)
@@ -276,10 +277,11 @@ def _joints(reading: Reading, parent: str, place: Place, own: Sequence[Part]) ->
             moved = _displacement(joint, reading.displaced.get(joint.name)) @ moved
     parts = _screwed(reading, single)
     if not parts:
-        return [RawJoint(fresh(f"{body}_fixed", reading.seen), "fixed", parent, body, pose.translation)], moved
+        name = fresh(f"{body}_fixed", reading.seen | reading.given)
+        return [RawJoint(name, "fixed", parent, body, pose.translation)], moved
     links = [parent]
     for k in range(1, len(parts)):
-        name = fresh(f"{body}_{k}", reading.poses)
+        name = fresh(f"{body}_{k}", reading.poses.keys() | reading.given)
         reading.poses[name] = pose
         reading.result.bodies.append(RawBody(name))
         links.append(name)
@@ -311,7 +313,7 @@ def _joint(reading: Reading, part: Part, body: Pose) -> RawJoint:
     name = element.get("name")
     if name in reading.seen:
         raise DescriptionError(f"{label(element)}: two joints have this name")
-    name = name or fresh("joint", reading.seen)
+    name = name or fresh("joint", reading.seen | reading.given)
     reading.seen.add(name)
     where = label(element)
     if element.tag == "joint":

@@ -44,13 +44,17 @@ class Listed:
     pose: Pose
 
 
-def keyframes(root: Element, listed: Sequence[Listed]) -> dict[str, Values]:
-    """Keyframe -> values of coordinates; raises DescriptionError for one of another length."""
+def keyframes(root: Element, listed: Sequence[Listed], own: Mapping[str, Real]) -> dict[str, Values]:
+    """Keyframe -> values of coordinates; raises DescriptionError for one of another length.
+
+    `own`: hinge or slide -> its value in the file's own pose, which counts where a keyframe has fewer numbers.
+    """
     found: dict[str, Values] = {}
+    usual = [value for joint in listed for value in _in_own_pose(joint, own)]
     for section in elements(root, "keyframe"):
         for k, key in enumerate(elements(section, "key")):
             if "qpos" in key.attrib:
-                given = _listed(key, "qpos", sum(SIZES[joint.kind] for joint in listed))
+                given = _listed(key, "qpos", usual)
                 found[key_name(key, k)] = _values(given, listed, label(key))
             elif "qvel" in key.attrib:
                 found[key_name(key, k)] = {}
@@ -63,7 +67,7 @@ def keyframe_rates(root: Element, listed: Sequence[Listed]) -> dict[str, Values]
     for section in elements(root, "keyframe"):
         for k, key in enumerate(elements(section, "key")):
             if "qvel" in key.attrib:
-                given = _listed(key, "qvel", sum(RATES[joint.kind] for joint in listed))
+                given = _listed(key, "qvel", [real(0)] * sum(RATES[joint.kind] for joint in listed))
                 values = {where: value for where, value in _rates(given, listed) if value != 0}
                 found |= {key_name(key, k): values} if values else {}
     return found
@@ -74,11 +78,18 @@ def key_name(key: Element, index: int) -> str:
     return key.get("name") or f"key_{index}"
 
 
-def _listed(key: Element, what: str, size: int) -> list[Real]:
+def _in_own_pose(joint: Listed, own: Mapping[str, Real]) -> list[Real]:
+    if joint.kind == "free":
+        return [*joint.pose.translation, *to_quaternion(joint.pose.rotation)]
+    return [real(1), *[real(0)] * 3] if joint.kind == "ball" else [own.get(joint.name, real(0))]
+
+
+def _listed(key: Element, what: str, usual: Sequence[Real]) -> list[Real]:
+    """The numbers of a keyframe; those that it does not give are the usual ones, as for MuJoCo."""
     given = [real(v) for v in numbers(key.attrib[what], f"{label(key)}, {what}")]
-    if len(given) != size:
-        raise DescriptionError(f"{label(key)}, {what}: expected {size} numbers, got {len(given)}")
-    return given
+    if len(given) > len(usual):
+        raise DescriptionError(f"{label(key)}, {what}: expected {len(usual)} numbers, got {len(given)}")
+    return [*given, *usual[len(given) :]]
 
 
 def _rates(given: Sequence[Real], listed: Sequence[Listed]) -> Iterator[tuple[tuple[str, str], Real]]:
@@ -106,10 +117,15 @@ def _values(given: Sequence[Real], listed: Sequence[Listed], where: str) -> Valu
             continue
         turned = joint.pose.rotation
         if joint.kind == "ball":
-            turn: Rotation = product(product(turned, from_quaternion(own, where)), transposed(turned))
+            turn: Rotation = product(product(turned, _turn(own, where)), transposed(turned))
         else:
             place = minus(triple(own[:3]), joint.pose.translation)
             values |= {(joint.name, str(k)): c for k, c in enumerate(place)}
-            turn = product(from_quaternion(own[3:], where), transposed(turned))
+            turn = product(_turn(own[3:], where), transposed(turned))
         values |= {(joint.name, key): c for key, c in zip(QUATERNION, to_quaternion(turn), strict=True)}
     return values
+
+
+def _turn(quaternion: Sequence[Real], where: str) -> Rotation:
+    """A turn from its quaternion, as MuJoCo normalises it: zeros are none."""
+    return from_quaternion(quaternion if any(quaternion) else [real(1), *quaternion[1:]], where)

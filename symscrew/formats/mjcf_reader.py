@@ -89,6 +89,7 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
         displaced=displacements(ties),
         parts=whole.parts,
         in_medium=around is not None,
+        given=frozenset(e.get("name", "") for tag in ("body", "joint", "freejoint") for e in root.iter(tag)),
     )
     _read_bodies(root, reading)
     settle_masses(result, chosen, reading.bare)
@@ -107,7 +108,7 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
     if idle:
         result.ledger.passed("equality constraints that are not active", idle)
     result.configurations = _keyframes(root, reading)
-    result.starts = keyframes(root, reading.listed)
+    result.starts = keyframes(root, reading.listed, own)
     result.start_rates = keyframe_rates(root, reading.listed)
     platform = texts.get("symscrew_platform")
     parents = {joint.parent for joint in result.joints}
@@ -161,7 +162,7 @@ def _in_own_pose(root: Element, reading: Reading) -> Reading:
         return reading
     given = reading.result
     aside = Draft(given.name, given.ground, given.origin, gravity=given.gravity)
-    own = Reading(reading.settings, {}, reading.driven, aside, reading.meshes, parts=reading.parts)
+    own = Reading(reading.settings, {}, reading.driven, aside, reading.meshes, parts=reading.parts, given=reading.given)
     _read_bodies(root, own)
     settle_masses(aside, reading.settings, own.bare)
     return own

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from symscrew.errors import DescriptionError
-from symscrew.formats.draft import Draft, Limits, RawEffect
+from symscrew.formats.draft import Draft, Ledger, Limits, RawEffect
 from symscrew.formats.rigid_displacements import real
 from symscrew.formats.safe_xml import Element, elements, first, label, number
 
@@ -77,7 +77,7 @@ def transmission_forces(draft: Draft, root: Element, joints: Mapping[str, Elemen
         names = [j.get("name", "") for j in elements(transmission, "joint")]
         names = [name for name in names if name in joints]
         single = len(names) == 1 and joints[names[0]].get("type") in MOVING
-        for ratio, inertia in _rotors(transmission):
+        for ratio, inertia in _rotors(transmission, draft.ledger):
             if inertia and ratio == 0:
                 raise DescriptionError(f"{label(transmission)}: expected a reduction that is not 0, or none")
             if inertia and single:
@@ -94,11 +94,22 @@ REDUCTION = ("mechanicalReduction", "gear_ratio", "mechanical_reduction")
 ROTOR = ("rotor_inertia", "rotorInertia", "motorInertia", "motor_inertia")
 
 
-def _rotors(transmission: Element) -> list[tuple[float | None, float | None]]:
+def _rotors(transmission: Element, ledger: Ledger) -> list[tuple[float | None, float | None]]:
     """(reduction, rotor's inertia) of every actuator; what it does not say itself, the transmission or its joint says.
 
-    A joint's own reduction counts where no actuator has one, as in ROS.
+    A joint's own reduction counts where no actuator has one, as in ROS. Without a rotor's inertia nothing depends on
+    one, and one that is no number is passed over.
     """
+    if not any(_tag(element) in ROTOR for element in _below(transmission)):
+        try:
+            return _ratios(transmission)
+        except DescriptionError:
+            ledger.passed("reductions of transmissions that are no numbers")
+            return []
+    return _ratios(transmission)
+
+
+def _ratios(transmission: Element) -> list[tuple[float | None, float | None]]:
     beside = [child for child in elements(transmission) if child.tag != "actuator"]
     outside = {tags: _number(beside, transmission, tags) for tags in (REDUCTION, ROTOR)}
     own = [
@@ -114,11 +125,14 @@ def _rotors(transmission: Element) -> list[tuple[float | None, float | None]]:
 def _number(parts: Sequence[Element], transmission: Element, tags: tuple[str, ...]) -> float | None:
     """The number of the first element with one of these tags in some parts, whatever its namespace."""
     for element in (element for part in parts for element in _below(part)):
-        tag = element.tag.rpartition("}")[2].rpartition(":")[2]
-        if tag in tags:
-            text = element.get("value") or (element.text or "").strip()
-            return float(number(text, f"{label(transmission)}, {tag}"))
+        if _tag(element) in tags:
+            text = element.get("value") or (element.text or "").strip().strip("\"'")  # as files have it: "1"
+            return float(number(text, f"{label(transmission)}, {_tag(element)}"))
     return None
+
+
+def _tag(element: Element) -> str:
+    return str(element.tag).rpartition("}")[2].rpartition(":")[2]
 
 
 def _below(element: Element) -> Iterator[Element]:

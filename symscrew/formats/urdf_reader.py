@@ -76,6 +76,8 @@ FIRST = ("inertial", "mass", "inertia")
 MIRRORED = ("iyx", "izx", "izy")
 """Entries of an inertia below its diagonal, which a URDF does not have, and which say nothing if they say the same."""
 SEEN = ("visual", "collision")
+DEFINED = ("property", "arg", "macro")
+"""Elements of xacro that do nothing by themselves."""
 FREE_JOINT = "root_joint"
 WORLD = "world"
 
@@ -89,7 +91,7 @@ def read_urdf(root: Element, path: Path, options: ImportOptions) -> Draft:
         options: what else is accepted.
     """
     ledger = Ledger()
-    _check_expanded(root)
+    _check_expanded(root, ledger)
     root = with_exact_digits(root, ledger) if options.exact else root
     if any("quat_xyzw" in origin.attrib for origin in root.iter("origin")) and root.get("version") != "1.2":
         ledger.changed.append("quat_xyzw is read, which ROS reads where <robot> says version 1.2 only")
@@ -105,6 +107,7 @@ def read_urdf(root: Element, path: Path, options: ImportOptions) -> Draft:
     result = Draft(name, ground, f"imported from the URDF {path.name}", f"robot {name}", ledger=ledger)
     driven, noted = _driven(root, joints, mimics, ledger)
     _check_mirrored(links.values(), ledger)
+    _say_points(links.values(), ledger)
     result.bodies += [_body(link, poses[name]) for name, link in links.items() if name != ground]
     for link_name, link in links.items():
         result.pictures += visuals(link, poses[link_name], path=path, within=options.folder, origin=_origin)
@@ -164,16 +167,33 @@ def _ground(links: Mapping[str, Element], joints: Mapping[str, Element]) -> str:
     return roots[0]
 
 
-def _check_expanded(root: Element) -> None:
-    """Refuses macros and includes of xacro, of which only the expansion is a robot; what it writes is read as it is."""
-    pictures = {part for link in elements(root, "link") for seen in elements(link, *SEEN) for part in seen.iter()}
-    macros = (element for element in root.iter() if isinstance(element.tag, str) and "xacro}" in element.tag)
-    left = next((element for element in macros if element not in pictures), None)
-    if left is not None:
+def _check_expanded(root: Element, ledger: Ledger) -> None:
+    """Refuses macros and includes of xacro, of which only the expansion is a robot; what it writes is read as it is.
+
+    So is a robot beside definitions that nothing in the file uses.
+    """
+    aside = {part for link in elements(root, "link") for seen in elements(link, *SEEN) for part in seen.iter()}
+    defined = [child for child in elements(root) if _xacro(child) in DEFINED]
+    aside |= {part for element in defined for part in element.iter()}
+    left = next((element for element in root.iter() if _xacro(element) and element not in aside), None)
+    used = (e for e in root.iter() if e not in aside and isinstance(e.tag, str) and _has_expression(e))
+    what = f"<xacro:{_short(left)}>" if left is not None else next((f"<{_short(e)}>" for e in used if defined), None)
+    if what is not None:
         raise DescriptionError(
-            f"<xacro:{_short(left)}>: it is the source of a URDF, whose macros only xacro expands: "
+            f"{what}: it is the source of a URDF, whose macros only xacro expands: "
             "pip install xacro; xacro FILE > robot.urdf (its expressions run as Python: of files that you trust only)"
         )
+    if defined:
+        ledger.passed("definitions of xacro that nothing uses", len(defined))
+
+
+def _xacro(element: Element) -> str:
+    """The name of an element of xacro's; empty for any other."""
+    return element.tag.rpartition("}")[2] if isinstance(element.tag, str) and "xacro}" in element.tag else ""
+
+
+def _has_expression(element: Element) -> bool:
+    return any("${" in text or "$(arg" in text for text in (element.text or "", *element.attrib.values()))
 
 
 def _couple(result: Draft, mimics: Mapping[str, Mimic]) -> None:
@@ -282,6 +302,14 @@ def _triple(text: str, where: str) -> Triple:
     return triple(numbers(text, where, 3))
 
 
+def _say_points(links: Iterable[Element], ledger: Ledger) -> None:
+    """Links with a mass and no element for moments of inertia are points, as for what reads URDFs in ROS."""
+    for link in links:
+        inertial = first(link, "inertial")
+        if inertial and list(elements(inertial[0], "mass")) and not list(elements(inertial[0], "inertia")):
+            ledger.changed.append(f"{label(link)}: a mass without <inertia>: a point, as for ROS")
+
+
 def _check_mirrored(links: Iterable[Element], ledger: Ledger) -> None:
     """Say which inertias have other numbers below their diagonal than above it: these count, as in ROS."""
     for link in links:
@@ -301,7 +329,8 @@ def _body(link: Element, pose: Pose) -> RawBody:
     inertial = _one(link, "inertial")
     where = f"{label(link)}, inertial"
     mass = triple([number(attribute(_one(inertial, "mass", where), "value"), f"{where}, mass"), 0, 0])[0]
-    moments = _one(inertial, "inertia", where)
+    found = list(elements(inertial, "inertia"))
+    moments = found[0] if found else Element("inertia")  # a point, as `_say_points` says
     keys = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
     check_attributes(moments, (*keys, *MIRRORED), f"{where}, inertia")
     xx, xy, xz, yy, yz, zz = (number(moments.get(key, "0"), f"{where}, {key}") for key in keys)

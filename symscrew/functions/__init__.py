@@ -51,7 +51,7 @@ from symscrew.functions.ports import (
     v_port,
     y_port,
 )
-from symscrew.functions.presets import ALL, PRESETS, preset, selected
+from symscrew.functions.presets import ALL, PRESETS, known_function, preset, selected
 from symscrew.functions.quantities import Quantities, Quantity
 from symscrew.functions.regressor import regressor_functions
 from symscrew.functions.second_order import HESSIAN, PRODUCT, second_order_functions
@@ -100,6 +100,7 @@ __all__ = [
     "jacobian_in_v",
     "joint_freedom_labels",
     "kinematic_functions",
+    "known_function",
     "left_out",
     "loop_notes",
     "margin_functions",

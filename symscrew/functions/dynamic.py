@@ -32,7 +32,6 @@ from symscrew.functions.ports import (
     WRENCH_UNITS,
     a_port,
     columns_port,
-    drive_is_force,
     drive_label,
     function,
     q_port,
@@ -240,18 +239,11 @@ class Equations:
         """Pivots of the drives alone."""
         return (*self.lean_balance.guards, *self.lean_solution.guards)
 
-    @property
-    def drive_scales(self) -> dict[int, float]:
-        """Unit scale of every drive's column."""
-        return {
-            k: 1.0 if drive_is_force(self.system, k) else self.system.length for k in range(len(self.system.drives))
-        }
-
     def drives(
         self, way: Balance, weights: Sequence[Node] | None = None, preload: Sequence[Node] | None = None
     ) -> DriveSolution:
         """Drives from the equations at the hub."""
-        found = solve_drives(self.system.tape, way.finals, self.drive_scales, weights=weights, preload=preload)
+        found = solve_drives(self.system.tape, way.finals, self.setting.drive_scales, weights=weights, preload=preload)
         named_entries(found.u, "drive", u_port(self.system).labels)
         return found
 

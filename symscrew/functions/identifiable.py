@@ -13,7 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from symscrew.description import Mechanism
-from symscrew.effects import Effect, Gravity
+from symscrew.effects import Effect, Gravity, given_effects
+from symscrew.errors import expect
 from symscrew.functions.kinematic import moving_bodies
 from symscrew.functions.regressor import PARAMETERS, parameter_labels, regressor_functions
 from symscrew.kinematics import System
@@ -105,6 +106,7 @@ def inertial_parameters(mechanism: Mechanism) -> Array:
     Absolute axes of the reference configuration, origin O; bodies and parameters in the order of the columns of
     `regressor`. Run-time parameters take their default values.
     """
+    expect(mechanism, Mechanism)
     result: list[float] = []
     for name, body in mechanism.bodies.items():
         if name == mechanism.ground:
@@ -133,6 +135,8 @@ def base_parameters(
     Raises:
         RankError: the singular values show no clear gap, or half of the states tell another number.
     """
+    expect(mechanism, Mechanism)
+    effects = given_effects(effects)
     system = System(mechanism)
     system.use_samples()
     loops = Loops(system)

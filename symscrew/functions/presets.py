@@ -27,6 +27,24 @@ PRESETS: Mapping[str, tuple[str, str]] = {
 }
 """Name -> what it is for, and a pattern of the functions in it; each with its checked variant."""
 
+_STEMS = (
+    rf"{_PLACES}|{_LOOPS}|body_(poses|twists|twist_rates)|point_motion|joint_(screws|points|displacements|rates)"
+    r"|closure(_jacobian|_bias)?|close_(position|velocity)|(limb|actuation)_margins|constraint_margin|linearisation"
+    r"|(inverse|forward)_dynamics(_independent)?|inverse_dynamics_(platform|preload)|forward_dynamics_reactions"
+    r"|joint_reactions|mass_matrix|bias|energy|momentum_(screws|rates)|regressor(_drives|_independent)?"
+    r"|(coupling|rolling)_forces|effect_(power|state_rates)"
+)
+_KNOWN = re.compile(rf"({_STEMS})(_derivatives|_hessian(_product)?)?(_checked)?")
+
+
+def known_function(name: str) -> bool:
+    """Whether some model may have a function of this name, the one at hand or another.
+
+    >>> known_function("velocity_checked"), known_function("velocty")
+    (True, False)
+    """
+    return bool(_KNOWN.fullmatch(name))
+
 
 def preset(name: str, functions: Collection[str]) -> tuple[str, ...]:
     """Those of a model's functions that a preset names, in their order.

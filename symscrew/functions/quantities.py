@@ -19,7 +19,7 @@ import sympy
 
 from symscrew.algebra import Node, sympy_expression
 from symscrew.description import Mechanism
-from symscrew.errors import DescriptionError, did_you_mean
+from symscrew.errors import DescriptionError, did_you_mean, expect
 from symscrew.functions.kinematic import Motion, all_joint_screws
 from symscrew.functions.momenta import mass_properties
 from symscrew.kinematics import BodyMotion, MassProperties, System, identifiers, momentum_rate, momentum_screw
@@ -73,6 +73,7 @@ class Quantities:
     """What can be printed of a mechanism, by name."""
 
     def __init__(self, mechanism: Mechanism) -> None:
+        expect(mechanism, Mechanism)
         symbolic = {name: replace(p, run_time=True) for name, p in mechanism.parameters.items()}
         self.mechanism = replace(mechanism, parameters=symbolic)
         self.system = System(self.mechanism)

@@ -21,6 +21,7 @@ from typing import Any
 import numpy as np
 
 from symscrew.description import to_toml
+from symscrew.errors import expect
 from symscrew.export import (
     HASHES,
     MANIFEST,
@@ -80,6 +81,7 @@ def generate(
         OutputError: the directory holds something else; nothing has been written then.
         DescriptionError: a format cannot hold the mechanism; nothing has been written then.
     """
+    expect(model, Model)
     check_place(out_dir)
     files = render(model, targets, precision=precision, measured=measured, form=form, processes=processes)
     return write_folder(with_hashes(files) if hashes_only else files, out_dir)

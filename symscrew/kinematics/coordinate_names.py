@@ -26,7 +26,7 @@ from typing import Any
 import sympy
 
 from symscrew.description import Joint, Mechanism, given_value
-from symscrew.errors import DescriptionError, did_you_mean, shorten
+from symscrew.errors import DescriptionError, did_you_mean, expect, shorten
 from symscrew.kinematics.tree import virtual_joint
 
 ANGLES = ("rx", "ry", "rz", "tilt", "azimuth", "torsion", "roll", "pitch", "yaw", "turn")
@@ -121,6 +121,7 @@ def tree_label(mechanism: Mechanism, labels: Collection[str], typed: str) -> str
     Raises:
         DescriptionError: the tree has no such coordinate.
     """
+    expect(typed, str)
     name, virtual = full_name(mechanism, typed), virtual_joint(mechanism)
     owner, _, part = name.rpartition(".")
     if name in labels:

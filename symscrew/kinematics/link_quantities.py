@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from symscrew.algebra import Matrix, Node, Vector, add, transform, transpose
+from symscrew.algebra import ZERO, Matrix, Node, Vector, add, transform, transpose
 
 Wrench = tuple[Vector, Vector]
 """(force [N], moment [N m] about a point that the context names)."""
@@ -27,6 +27,7 @@ class Frame:
     parent's, parent's axes, in the reference configuration. `axis`: the joint axis in the parent's axes.
     `reference`: the joint's coordinate in the reference configuration.
     `phase`: the motion is a rotation about z by q + phase (R, H) or a translation by q + phase along `axis`.
+    `arm`: from the origin to the joint's point in the link's axes, of a slider to the line along which it is pushed.
     """
 
     axes: Matrix
@@ -38,6 +39,7 @@ class Frame:
     reference: Node | int = 0
     start: tuple[Node, Node] | None = None  # cosine and sine of the angle at the reference configuration
     pitch: Node | None = None
+    arm: Vector = ZERO
 
 
 @dataclass(frozen=True)

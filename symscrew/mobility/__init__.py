@@ -12,6 +12,7 @@
     all of it --analysis--> Mobility --findings/--> words, documents, JSON;  --checks--> every claim again
     Mobility  --motions/--> every branch: tangents, screw systems, joints at rest
     Mechanism --components/--> operation modes, components of the configuration space
+    Mobility  --assembly_ways--> assembly modes, and ways between them: certified, or sampled
     Mobility  --proofs/, proof_file--> a file of exact numbers that a checker judges alone
 
 Away from these stands nothing: a stranger starts at `analysis`, whose last function is the pipeline.
@@ -24,20 +25,29 @@ from symscrew.doors import doors
 if TYPE_CHECKING:
     from symscrew.mobility.algebraic_branches import with_components, with_rechecked_parts
     from symscrew.mobility.analysis import Mobility, analyse_mobility
+    from symscrew.mobility.assembly_ways import (
+        Connections,
+        connection_lines,
+        connection_values,
+        judged_connections,
+        judged_modes,
+    )
     from symscrew.mobility.checks import Check, verified, verify
     from symscrew.mobility.components import (
         ALGEBRA_PROGRAM,
         ConfigurationSpace,
         NotAlgebraicError,
+        NumericalSpace,
         PoseModes,
         SampledModes,
         algebra_answer,
         assembly_connections,
         configuration_space,
-        connection_lines,
-        connection_values,
         mode_lines,
         mode_values,
+        numerical_components,
+        numerical_lines,
+        numerical_values,
         pose_lines,
         pose_modes,
         pose_values,
@@ -77,7 +87,7 @@ if TYPE_CHECKING:
     from symscrew.mobility.placing import Configuration, inverse_kinematics
     from symscrew.mobility.pose_targets import read_coordinates, targets_of
     from symscrew.mobility.proof_file import mobility_proof, write_proof
-    from symscrew.mobility.proofs import Verdict, check_proof
+    from symscrew.mobility.proofs import Verdict, check_proof, check_ways
     from symscrew.mobility.screw_systems import ScrewSystem
     from symscrew.mobility.symbols import (
         Exact,
@@ -99,6 +109,7 @@ __all__ = [
     "Components",
     "Configuration",
     "ConfigurationSpace",
+    "Connections",
     "Edge",
     "Exact",
     "Field",
@@ -109,6 +120,7 @@ __all__ = [
     "Network",
     "NotAlgebraicError",
     "NotDecidableError",
+    "NumericalSpace",
     "PoseModes",
     "Reached",
     "SampledModes",
@@ -121,6 +133,7 @@ __all__ = [
     "analyse_mobility",
     "assembly_connections",
     "check_proof",
+    "check_ways",
     "component_lines",
     "component_values",
     "components_of",
@@ -134,6 +147,8 @@ __all__ = [
     "formulas",
     "generator_itself",
     "inverse_kinematics",
+    "judged_connections",
+    "judged_modes",
     "key_figures",
     "limb_margins",
     "mathml",
@@ -149,6 +164,9 @@ __all__ = [
     "motion_values",
     "moved",
     "network_of",
+    "numerical_components",
+    "numerical_lines",
+    "numerical_values",
     "pose_lines",
     "pose_modes",
     "pose_values",

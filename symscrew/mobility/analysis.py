@@ -376,8 +376,8 @@ class Near:
     distance: float
     changes: tuple[tuple[str, float], ...]
 
-    def places(self) -> dict[str, tuple[tuple[str, ...], tuple[tuple[str, ...], ...]]]:
-        """Joint -> (point [m], axes) of the special geometry in 40 digits: what to type instead."""
+    def places(self) -> dict[str, tuple[tuple[str, ...], tuple[tuple[str, ...], ...], str | None]]:
+        """Joint -> (point [m], axes, pitch [m/rad]) of the special geometry in 40 digits: what to type instead."""
         return {name: self.meant.network.edges[name].as_typed(self.meant.network.length) for name, _ in self.changes}
 
 

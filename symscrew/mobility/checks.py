@@ -22,6 +22,7 @@ from symscrew.mobility.finite import DIGITS_60, ClosureVariety, moved, recheck
 from symscrew.mobility.joint_network import network_of
 from symscrew.mobility.proof_file import mobility_proof
 from symscrew.mobility.proofs import check_proof
+from symscrew.mobility.rank_evidence import OF_CONSTRAINTS
 from symscrew.mobility.screw_systems import ZERO_BELOW, Real, Screw, eliminate, unit_rows
 from symscrew.mobility.symbols import Vector, numbers_at
 
@@ -144,13 +145,18 @@ def _motions(found: Mobility) -> list[Check]:
 
 
 def _over_the_field(found: Mobility) -> Check:
-    """Elimination over the exact field against elimination in 60 digits."""
+    """Elimination over the exact field against elimination in 60 digits.
+
+    Rounded decimals make ranks larger, but those of limbs leave fewer constraints, of less rank, too.
+    """
     decided = [d for d in found.decisions.ranks if d.exact is not None]
     different = [d for d in decided if d.exact != d.numeric]
-    rounded = bool(different) and all((d.exact or 0) > d.numeric for d in different)
+    larger = [d for d in different if (d.exact or 0) > d.numeric]
+    limbs = any(d.claim == f"rank of {name}" for d in larger for name in found.mechanism.limbs)
+    rounded = bool(larger) and all(d in larger or (limbs and d.claim == OF_CONSTRAINTS) for d in different)
     text = f"{len(decided)} ranks over {found.decisions.field}"
     if rounded:
-        text += f", {len(different)} of them larger by rounded decimals: {found.decisions.why}"
+        text += f", {len(different)} of them others by rounded decimals: {found.decisions.why}"
     return Check("ranks over an exact field", not different or rounded, text)
 
 

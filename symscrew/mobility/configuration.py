@@ -16,7 +16,7 @@ import numpy as np
 
 from symscrew.algebra import CONTEXT
 from symscrew.description import Mechanism, followed, given_value, numeric, validate
-from symscrew.errors import DescriptionError
+from symscrew.errors import DescriptionError, expect
 from symscrew.kinematics import System, given_coordinates, given_parameter, quaternion_entry
 from symscrew.mobility.finite import CLOSED, DIGITS_60, Array, ClosureVariety, moved
 from symscrew.mobility.joint_network import Network
@@ -92,6 +92,8 @@ class Reached:
 
 def with_parameters(mechanism: Mechanism, at: Mapping[str, Any]) -> tuple[Mechanism, dict[str, Any]]:
     """(the mechanism with the parameters among `at` changed and all that follow them, the other entries of `at`)."""
+    expect(mechanism, Mechanism)
+    expect(at, Mapping)
     others = {name: value for name, value in at.items() if name not in mechanism.parameters}
     if len(others) == len(at):
         return mechanism, others

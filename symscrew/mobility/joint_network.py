@@ -70,14 +70,24 @@ class Edge:
         """Columns of the joint's freedoms among those of the mechanism."""
         return range(self.start, self.start + len(self.screws))
 
-    def as_typed(self, length: Real) -> tuple[tuple[str, ...], tuple[tuple[str, ...], ...]]:
-        """(point [m], axes) in `TYPED` digits: what a description says of it; `length` is that of the network [m]."""
-        axes = []
+    def pitch(self, column: int) -> Real:
+        """The pitch of the screw in a column, scaled: the part of its velocity along its unit axis."""
+        a, b, c, x, y, z = self.screws[column - self.start]
+        return dot((a, b, c), (x, y, z))
+
+    def as_typed(self, length: Real) -> tuple[tuple[str, ...], tuple[tuple[str, ...], ...], str | None]:
+        """(point [m], axes, pitch [m/rad] of a screw joint) in `TYPED` digits: what a description says of it.
+
+        `length` is that of the network [m].
+        """
+        axes, pitch = [], None
         for motion, column in self.motions:
             if motion.single:
                 screw = self.screws[column - self.start]
                 axes.append(tuple(CONTEXT.nstr(c, TYPED) for c in (screw[:3] if motion.turns else screw[3:])))
-        return tuple(CONTEXT.nstr(c * length, TYPED) for c in self.point), tuple(axes)
+            if motion.helical:
+                pitch = CONTEXT.nstr(self.pitch(column) * length, TYPED)
+        return tuple(CONTEXT.nstr(c * length, TYPED) for c in self.point), tuple(axes), pitch
 
 
 @dataclass(frozen=True)

@@ -20,6 +20,11 @@ WELL_ABOVE = 1e-20
 """A pivot above this, relative to the largest entry, is none that rounding of 60 digits could make: a full rank that
 has been found with such pivots stands without an exact field. Below it a full rank counts as sampled."""
 
+STOPPED = (
+    "the decimals of the description, taken as exact, stop the motion by less than that: differences below 1e-27 are "
+    "taken for rounding"
+)
+
 
 def judged(network: Network, first_order: Instantaneous, decisions: Decisions) -> FiniteMobility:
     """The finite mobility: proved where the ranks that a proof rests on were decided, else as sampled."""
@@ -45,7 +50,8 @@ def confirmed(network: Network, finite: FiniteMobility, proof: MotionProof | Non
     """What was sampled, as proved where evidence that a checker can judge shows the same.
 
     What was not decided by finite motions, such as singular configurations with couplings, or screws that are dependent
-    but for a difference of 1e-11, is what is proved.
+    but for a difference of 1e-11, is what is proved. Decimals that stop a motion which was seen to close up to rounding
+    are said to do so.
     """
     if proof is not None and finite.dof is None and proof.smooth:
         smooth = smooth_mobility(network, proof.dof, f"proved: {proof.how}")
@@ -53,6 +59,8 @@ def confirmed(network: Network, finite: FiniteMobility, proof: MotionProof | Non
     if proof is not None and finite.dof is None and proof.branches is not None:
         kind, evidence = kind_of(proof.branches), (*finite.evidence, f"proved: {proof.how}")
         return FiniteMobility(proof.dof, False, proof.branches, kind, evidence, True)
+    if proof is not None and finite.smooth and not proof.smooth:
+        return replace(finite, evidence=(*finite.evidence, STOPPED))
     if proof is None or (proof.dof, proof.smooth, proof.branches) != (finite.dof, finite.smooth, finite.branches):
         return finite
     return replace(finite, proved=True, evidence=(*finite.evidence, f"proved: {proof.how}"))

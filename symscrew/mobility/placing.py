@@ -15,6 +15,7 @@ import sympy
 
 from symscrew import notebook, program
 from symscrew.description import Mechanism
+from symscrew.errors import expect
 from symscrew.kinematics import System, coordinate_units, given_coordinates
 from symscrew.mobility.configuration import (
     CUT_OFF,
@@ -128,6 +129,7 @@ def inverse_kinematics(mechanism: Mechanism, at: Mapping[str, Any] | None = None
     >>> inverse_kinematics(catalogue.load("four_bar"), A="20deg").ok
     True
     """
+    expect(at or {}, Mapping)
     asked = {**(at or {}), **coordinates}
     mechanism, wanted = with_parameters(mechanism, asked)
     network = network_of(mechanism)

@@ -13,11 +13,22 @@ from pathlib import Path
 from typing import Any
 
 from symscrew.mobility.analysis import Mobility
-from symscrew.mobility.proofs import COUPLED, FORMAT, Verdict, check_proof, digest, facts_of, rank_entry
+from symscrew.mobility.motion_verdicts import STOPPED
+from symscrew.mobility.proofs import (
+    COUPLED,
+    FORMAT,
+    Verdict,
+    check_proof,
+    check_ways,
+    digest,
+    facts_of,
+    rank_entry,
+)
 from symscrew.whole_files import write_text
 
 AS_MEANT = "with differences below 1e-27 taken for rounding, "
 """What the package takes for rounding (`screw_systems.ZERO_BELOW`) is a difference in exact numbers."""
+OF_MOTION = ("finite mobility", "smooth", "branches")
 SAMPLED = "sampled: no proof was found"
 
 
@@ -45,9 +56,9 @@ def mobility_proof(found: Mobility) -> dict[str, Any]:
             open_claims.append((f"displaced, {claim}", value, "the displaced configuration has no exact coordinates"))
         elif claim not in facts:
             open_claims.append((claim, value, numbers.why or _why(found, claim)))
-        elif facts[claim] != value and rounded:
+        elif facts[claim] != value and (rounded or (claim in OF_MOTION and _closed(found))):
             claims.append({"claim": claim, "value": facts[claim]})
-            open_claims.append((AS_MEANT + claim, value, found.decisions.why))
+            open_claims.append((AS_MEANT + claim, value, found.decisions.why or STOPPED))
         else:
             claims.append({"claim": claim, "value": value})
     if "joints at rest" in facts and found.in_reference:
@@ -82,20 +93,38 @@ def _statements(found: Mobility) -> Iterator[tuple[str, Any]]:
         yield "branches", None if found.finite.branches is None else list(found.finite.branches)
 
 
+def _closed(found: Mobility) -> bool:
+    """Whether the motion was seen to close all loops, up to what counts as rounding, and nothing beyond that."""
+    return found.finite.smooth and not found.finite.proved
+
+
 def _why(found: Mobility, claim: str) -> str:
-    if claim in ("finite mobility", "smooth", "branches"):
+    if claim in OF_MOTION:
         return SAMPLED
     return found.decisions.why or "the numbers of the elimination over the field grow too long"
 
 
-def write_proof(found: Mobility, path: Path) -> Verdict:
-    """Writes the proof file and returns what the checker says of it.
+def write_proof(found: Mobility, path: Path, ways: dict[str, Any] | None = None) -> Verdict:
+    """Writes the proof file and returns what the checkers say of it.
+
+    Args:
+        found: whose claims are written.
+        path: of the file.
+        ways: evidence of ways between assembly modes, for `way_checker`.
 
     Raises:
         OSError: the file cannot be written.
     """
     values = mobility_proof(found)
+    if ways is not None:
+        values["ways"] = ways
     text = json.dumps(values, separators=(",", ":"))
     verdict = check_proof(json.loads(text))
+    if ways is not None:
+        beside = check_ways(json.loads(text))
+        verdict = Verdict(
+            verdict.mechanism, verdict.proved + beside.proved, verdict.refused + beside.refused,
+            verdict.not_proved + beside.not_proved,
+        )  # fmt: skip
     write_text(path, text + "\n")
     return verdict

@@ -44,6 +44,7 @@ NEARLY_PARALLEL = 1e-6
 decimals. They count as not parallel all the same."""
 SAME_DIRECTION = CONTEXT.mpf(10) ** -27
 """Sine below which axes are parallel: as for ranks (`screw_systems.ZERO_BELOW`)."""
+OF_CONSTRAINTS = "rank of the limbs' constraints"
 MOST_PAIRS = 12
 """Pairs that are named; of more, only the number is."""
 
@@ -180,7 +181,7 @@ def _claims(
         rows: list[Row] = [list(screw) for screw in chain]
         yield f"rank of {limb.name}", 6 - len(limb.constraints.basis), partial(exact_rank, rows, field)
     if given.constraints is not None:
-        yield "rank of the limbs' constraints", given.constraints.rank, lambda: _union(chains, system)
+        yield OF_CONSTRAINTS, given.constraints.rank, lambda: _union(chains, system)
 
 
 def _union(chains: Sequence[Sequence[Sequence[Exact]]], system: ExactSystem) -> int:

@@ -13,7 +13,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from mpmath.libmp import fzero, mpf_cmp, mpf_div, mpf_mul, mpf_sub
+from mpmath.libmp import from_man_exp
 
 from symscrew.algebra import CONTEXT
 
@@ -23,6 +23,8 @@ Row = list[Real]
 Screw = tuple[Real, ...]
 """Six numbers: a twist (omega ; v) or a wrench (f ; m)."""
 Vectors = Sequence[Sequence[Real]]
+Pair = tuple[int, int]
+"""m, e of a number m 2^e; m is negative where it is."""
 
 ZERO_BELOW = CONTEXT.mpf(10) ** -27
 """Of the largest entry: what is smaller is zero.
@@ -74,55 +76,97 @@ class Elimination:
 def eliminate(rows: Vectors, columns: int) -> Elimination:
     """Gauss-Jordan elimination with full pivoting; pivots relative to the largest entry.
 
-    On the tuples that mpmath's numbers hold, in its arithmetic: the numbers around them take more time than it does. Of
-    a row its entries that are not zero: of long chains they are few.
+    On integers, mantissa and exponent, rounded digit by digit as mpmath rounds: the numbers around them take more time
+    than they do. Of a row its entries that are not zero: of long chains they are few.
     """
-    matrix = [{k: c for k, c in enumerate(CONTEXT.convert(c)._mpf_ for c in row) if c[1]} for row in rows]
-    own: tuple[int, str] = CONTEXT._prec_rounding
-    largest = max((abs(c) for row in rows for c in row), default=CONTEXT.one) or CONTEXT.one
+    digits = int(CONTEXT._prec_rounding[0])
+    matrix = [{k: _pair(c) for k, c in enumerate(CONTEXT.convert(c)._mpf_ for c in row) if c[1]} for row in rows]
+    largest = _number(_largest(matrix, 0)[0]) or CONTEXT.one
     pivots: list[int] = []
     smallest, residue = float("inf"), 0.0
     for r in range(len(matrix)):
         found, i, j = _largest(matrix, r)
-        size = CONTEXT.make_mpf(found)
+        size = _number(found)
         if size < ZERO_BELOW * largest:
             residue = float(size / largest)
             break
         smallest = min(smallest, float(size / largest))
         matrix[r], matrix[i] = matrix[i], matrix[r]
-        pivot = matrix[r][j]
-        matrix[r] = {k: mpf_div(c, pivot, *own) for k, c in matrix[r].items()}
+        pivot = _number(matrix[r][j])
+        matrix[r] = {k: _pair((_number(c) / pivot)._mpf_) for k, c in matrix[r].items()}
+        others = [(column, c) for column, c in matrix[r].items() if column != j]
         for k, other in enumerate(matrix):
-            factor = other.get(j) if k != r else None
-            if factor is not None:
-                for column, c in matrix[r].items():
-                    left = mpf_sub(other.get(column, fzero), mpf_mul(factor, c, *own), *own)
-                    if left[1] and column != j:
-                        other[column] = left
-                    else:
-                        other.pop(column, None)
+            if k != r and (taken := other.pop(j, None)) is not None:
+                _subtract(other, taken, others, digits)
         pivots.append(j)
     reduced = []
     for row in matrix[: len(pivots)]:
         whole = [CONTEXT.zero] * columns
         for k, c in row.items():
-            whole[k] = _clean(CONTEXT.make_mpf(c))
+            whole[k] = _clean(_number(c))
         reduced.append(tuple(whole))
     return Elimination(tuple(reduced), tuple(pivots), smallest if pivots else float("nan"), residue)
 
 
-def _largest(matrix: Sequence[Mapping[int, Any]], start: int) -> tuple[Any, int, int]:
+def _subtract(row: dict[int, Pair], factor: Pair, others: Sequence[tuple[int, Pair]], digits: int) -> None:
+    """Takes the factor times the others from a row, product and difference each rounded to so many binary digits."""
+    factor_m, factor_e = factor
+    for column, (other_m, other_e) in others:
+        m, e = factor_m * other_m, factor_e + other_e
+        if m.bit_length() > digits:
+            m, e = _rounded(m, e, digits)
+        own = row.get(column)
+        if own is None:
+            row[column] = -m, e
+            continue
+        shift = own[1] - e
+        if shift >= 0:
+            left = (own[0] << shift) - m
+        else:
+            left, e = own[0] - (m << -shift), own[1]
+        if not left:
+            del row[column]
+        elif left.bit_length() > digits:
+            row[column] = _rounded(left, e, digits)
+        else:
+            row[column] = left, e
+
+
+def _rounded(m: int, e: int, digits: int) -> Pair:
+    """m 2^e to the nearest with so many binary digits, to the even one of two."""
+    more = m.bit_length() - digits
+    twice = m >> (more - 1)
+    up = twice & 1 and (twice & 2 or m & ((1 << (more - 1)) - 1))
+    return (twice >> 1) + (1 if up else 0), e + more
+
+
+def _pair(number: tuple[int, int, int, int]) -> Pair:
+    """Mantissa and exponent of a number as mpmath holds it."""
+    return (-int(number[1]) if number[0] else int(number[1])), int(number[2])
+
+
+def _number(pair: Pair) -> Real:
+    return CONTEXT.make_mpf(from_man_exp(*pair))
+
+
+def _largest(matrix: Sequence[Mapping[int, Pair]], start: int) -> tuple[Pair, int, int]:
     """Size, row and column of the largest entry from a row on; of equals the first one of the first row.
 
     The columns of pivots have no entries there.
     """
-    size, i, j = fzero, start, 0
+    size, reach, i, j = (0, 0), None, start, 0
     for row in range(start, len(matrix)):
-        for column, entry in matrix[row].items():
-            magnitude = (0, *entry[1:])  # the sign stands before the mantissa
-            more = mpf_cmp(magnitude, size)
+        for column, (m, e) in matrix[row].items():
+            ends = m.bit_length() + e
+            if reach is None or ends > reach:
+                more = 1
+            elif ends < reach:
+                continue
+            else:
+                one, two = abs(m) << max(0, e - size[1]), size[0] << max(0, size[1] - e)
+                more = (one > two) - (one < two)
             if more > 0 or (more == 0 and row == i and column < j):
-                size, i, j = magnitude, row, column
+                size, reach, i, j = (abs(m), e), ends, row, column
     return size, i, j
 
 

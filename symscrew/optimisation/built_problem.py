@@ -19,7 +19,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from symscrew.errors import DescriptionError, did_you_mean
+from symscrew.errors import DescriptionError, did_you_mean, expect
 from symscrew.optimisation.compiled_points import CompiledPoints
 from symscrew.optimisation.contradictions import check_problem
 from symscrew.optimisation.explanation import broken_rows, pressing_bounds, status_of
@@ -108,6 +108,7 @@ class OptimisationProblem:
         Raises:
             DescriptionError: the problem cannot be used as it is given.
         """
+        expect(problem, TrajectoryProblem)
         if problem.transcription.method == "shooting":
             raise DescriptionError("transcription.method: an optimisation_problem takes collocation; got shooting")
         if problem.starts > 1:

@@ -33,6 +33,8 @@ REACHED = 1e-9  # without units: what conditions may be missed by; more is out o
 # Levenberg's damping of the least squares towards conditions: at first, least, and where it is given up.
 DAMPING, LEAST_DAMPING, MOST_DAMPING = 1e-3, 1e-14, 1e8
 MOST_DAMPED_STEPS = 200  # then the nearest configuration so far counts, and what it misses decides
+# More for a far goal, a wheel's turns, a crane's rail: twice what shortened steps need, a second of them at most.
+STEPS_OF_A_STEP, MOST_FAR_STEPS = 2, 20_000
 
 
 @dataclass(frozen=True)
@@ -212,7 +214,8 @@ def _least_missed(
     damping = DAMPING
     value, slope = (np.array(m) for m in function(x))
     error = value.ravel() - target
-    for _ in range(MOST_DAMPED_STEPS):
+    far = np.nan_to_num(np.abs(error).max(initial=0.0), nan=0.0, posinf=0.0) / LARGEST_STEP
+    for _ in range(MOST_DAMPED_STEPS + int(min(STEPS_OF_A_STEP * far, MOST_FAR_STEPS))):
         if np.abs(error).max(initial=0.0) < CLOSED or not np.isfinite(error).all():
             break
         normal = slope.T @ slope + damping * np.eye(len(x))

@@ -8,10 +8,12 @@ from __future__ import annotations
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
 from symscrew.optimisation.cost_scale import cost_scale
+from symscrew.optimisation.descents import descended
 from symscrew.optimisation.explanation import broken_rows, pressing_bounds, status_of
 from symscrew.optimisation.interruption import interruptible
 from symscrew.optimisation.joined_plan import JoinedPlan
@@ -26,7 +28,6 @@ from symscrew.optimisation.refinement import refinement_of
 from symscrew.optimisation.result import Statistics, Trajectory
 from symscrew.optimisation.solution import (
     LEAST_TIME,
-    MOST_DESCENTS,
     MOST_REFINEMENTS,
     REFINING,
     Prepared,
@@ -58,6 +59,25 @@ class _Found:
     def cost(self) -> float:
         """Of all parts."""
         return sum(part.cost for part in self.parts)
+
+    @property
+    def ok(self) -> bool | None:
+        """Whether the solver succeeded, which every part says alike."""
+        return self.parts[0].ok
+
+    @property
+    def better(self) -> np.ndarray | None:
+        """Scaled unknowns of better motions near these; None where none were found."""
+        return self.parts[0].better
+
+    @property
+    def statistics(self) -> Statistics:
+        """What the solver took, of all parts together."""
+        return self.parts[0].statistics
+
+    def told(self, **words: Any) -> _Found:
+        """The same with other words about every part."""
+        return replace(self, parts=tuple(part.told(**words) for part in self.parts))
 
 
 def solve_joined(problem: JoinedProblem, *, progress: Progress | None = None) -> JoinedPlan:
@@ -121,16 +141,11 @@ def _once(
 ) -> _Found:
     """One program, solved; on from a better motion where one is near what the solver found."""
     found = _solved(problem, models, prepared, warm, say=say, until=until)
-    for _ in range(MOST_DESCENTS):
-        begin = found.parts[0].better
-        if begin is None or time.perf_counter() >= until:
-            break
-        say("the solver stopped where the cost bends downwards: on, from better motions near it")
-        other = _solved(problem, models, prepared, None, say=say, until=until, begin=begin)
-        if not (other.parts[0].ok and other.cost < found.cost):
-            break
-        found = other
-    return found
+
+    def again(begin: np.ndarray) -> _Found:
+        return _solved(problem, models, prepared, None, say=say, until=until, begin=begin)
+
+    return descended(found, again, say=say, until=until)
 
 
 def _solved(

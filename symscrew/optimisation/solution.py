@@ -15,10 +15,11 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from symscrew.errors import DescriptionError
+from symscrew.errors import DescriptionError, expect
 from symscrew.optimisation.collocation import Collocation
 from symscrew.optimisation.contradictions import check_inputs, check_problem
 from symscrew.optimisation.cost_scale import cost_scale
+from symscrew.optimisation.descents import descended
 from symscrew.optimisation.explanation import broken_rows, pressing_bounds, status_of
 from symscrew.optimisation.guess import Guess, first_guess, unit_scales
 from symscrew.optimisation.interruption import interruptible
@@ -49,8 +50,6 @@ METHODS: Mapping[str, Callable[[PointModel], Discretisation]] = {
 # Meshes tried after the first one; a motion that still misses its accuracy is handed out as it is, and `errors` and
 # `Trajectory.notes` say so.
 MOST_REFINEMENTS = 12
-# Times that a solver is sent on from a better motion near what it took for the best: one summit may lead to another.
-MOST_DESCENTS = 3
 # IPOPT from an earlier motion: of another problem, or of the same one on a coarser mesh. The barrier begins low (0.1 by
 # default), so that the start is not pushed into the middle of its bounds; a refined mesh begins nearer still.
 WARM: Mapping[str, Any] = {"warm_start_init_point": "yes", "mu_init": 1e-4}
@@ -125,6 +124,7 @@ def solve(
     Raises:
         DescriptionError: the problem cannot be used as it is given.
     """
+    expect(problem, TrajectoryProblem)
     began, until = clock(), time.perf_counter() + problem.solver.time_limit
     say = progress or (lambda text: None)
     found = prepared or prepare(problem)
@@ -277,16 +277,11 @@ def _once(
 ) -> Trajectory:
     """The optimum on a mesh; where a better motion is near what the solver found, what it finds from there."""
     found = _solved(model, guess, warm=warm, say=say, began=began, until=until, start_options=start_options)
-    for _ in range(MOST_DESCENTS):
-        if found.better is None or time.perf_counter() >= until:
-            break
-        say("the solver stopped where the cost bends downwards: on, from a better motion near it")
-        other = _solved(model, guess, warm=None, say=say, began=clock(), until=until, begin=found.better)
-        spent = found.statistics + other.statistics
-        if not (other.ok and other.cost < found.cost):
-            return found.told(statistics=spent)
-        found = other.told(statistics=spent)
-    return found
+
+    def again(begin: np.ndarray) -> Trajectory:
+        return _solved(model, guess, warm=None, say=say, began=clock(), until=until, begin=begin)
+
+    return descended(found, again, say=say, until=until)
 
 
 def _solved(

@@ -22,6 +22,10 @@ FLAT = ("energy", "electrical", "time", "peak", "expression")  # no curvature in
 # Parts of the cost at the guess that effort has at first, and at last: below the solver's tolerance times the number of
 # unknowns it would not be felt.
 PARTS = (1.0, 1e-1, 1e-2, 1e-3, 1e-4)
+# Share of the cost that effort may have where a motion is still called optimal: as the slopes of one that was found
+# without it, a cost may fall by a thousandth. Slopes themselves say nothing: a drive that rests between bounds stands
+# in a kink of such costs, where they are anything.
+MOST_EFFORT = 1e-3
 Once = Callable[[TrajectoryProblem, Trajectory | None], Trajectory]
 
 
@@ -60,12 +64,21 @@ def continued(trajectory: Trajectory, once: Once) -> tuple[Trajectory, float] | 
 
 
 def without_effort(found: Trajectory, problem: TrajectoryProblem, transcribed: Transcribed) -> Trajectory:
-    """The motion as one of the problem without effort: the same unknowns, another cost."""
+    """The motion as one of the problem without effort: the same unknowns, another cost.
+
+    The looks at slopes and curvature were at the cost with effort; the status says so, and one with much is refused.
+    """
     cost = float(transcribed.cost @ found.x) + sum(cost_of(family, found.x) for family in transcribed.families)
     mesh = found.problem.transcription
     share = float(found.cost - cost) / max(abs(cost), np.finfo(float).tiny)
     note = f"least effort breaks ties between motions: with {share:.1e} of the cost"
-    return replace(
-        found, problem=replace(problem, transcription=mesh), transcribed=transcribed, cost=cost,
+    made = replace(
+        found, problem=replace(problem, transcription=mesh), transcribed=transcribed, cost=cost, look=None,
         notes=(*found.notes, note),
     )  # fmt: skip
+    if not found.ok:
+        return made
+    if not share <= MOST_EFFORT:
+        why = f"{note}, and with less none was found"
+        return replace(made, ok=False, status=f"not confirmed: {why}", reasons=(why,))
+    return replace(made, status=f"optimal with effort that breaks ties, {share:.1e} of the cost; not looked at without")

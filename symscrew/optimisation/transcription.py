@@ -28,6 +28,9 @@ from symscrew.optimisation.tableau import Tableau
 from symscrew.optimisation.time_grid import TimeGrid
 from symscrew.optimisation.unknowns import Terms, UnknownGroup, Unknowns
 
+# IPOPT widens bounds by 1e-8 of their size, or of a scaled unknown's, and may stop there; a tenth more is for rounding.
+RELAXED = 1.1e-8
+
 
 @dataclass(frozen=True)
 class Transcribed:
@@ -214,9 +217,16 @@ def bound_by_problem(known: Unknowns, model: PointModel, problem: TrajectoryProb
                 continue  # of the coordinates and rates there too: a row of the start's family
             known.bound(known.index["x"][0, k], model.initials[k], model.initials[k])
     if isinstance(problem.duration, tuple):
-        known.bound(known.index["T"], *problem.duration)
+        _bound_inside(known, known.index["T"], *problem.duration)
     for k, name in enumerate(model.design):
-        known.bound(known.index["p"][k], *problem.design[name])
+        _bound_inside(known, known.index["p"][k], *problem.design[name])
+
+
+def _bound_inside(known: Unknowns, entry: np.ndarray, low: float, high: float) -> None:
+    """Bounds that a solver which widens them keeps: a range of durations or of a design means what it says."""
+    size = float(np.max(known.scale[entry]))
+    inner = low + RELAXED * max(abs(low), size), high - RELAXED * max(abs(high), size)
+    known.bound(entry, *(inner if inner[0] < inner[1] else (low, high)))
 
 
 def linear_cost(known: Unknowns, model: PointModel, problem: TrajectoryProblem) -> np.ndarray:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from symscrew.description import Mechanism, markdown_text
-from symscrew.errors import DescriptionError
+from symscrew.errors import DescriptionError, expect
 from symscrew.mobility import analyse_mobility
 from symscrew.paper_formulas.equal_turns import Turned, families
 from symscrew.paper_formulas.formula import Formula, Part, degrees
@@ -93,6 +93,7 @@ def paper_formulas(mechanism: Mechanism) -> Paper:
     Raises:
         DescriptionError: neither limbs nor a chain that reaches the platform.
     """
+    expect(mechanism, Mechanism)
     lengths = Lengths(mechanism)
     limbs = limbs_of(mechanism)
     parts: list[Part] = []

@@ -8,6 +8,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from symscrew.description import Mechanism
+from symscrew.errors import expect
 from symscrew.model import Model, derive
 from symscrew.reporting.blocks import Document
 from symscrew.reporting.sections import document
@@ -40,6 +41,7 @@ def report(
     Raises:
         DescriptionError: the folder holds no results.
     """
+    expect(subject, Mechanism, Model)
     model = derive(subject) if isinstance(subject, Mechanism) else subject
     times: dict[str, Times] | None = None
     if timed:

@@ -13,7 +13,7 @@ import numpy as np
 
 from symscrew import notebook
 from symscrew.description import given_value, numeric
-from symscrew.errors import DescriptionError, did_you_mean
+from symscrew.errors import DescriptionError, did_you_mean, expect
 from symscrew.kinematics import full_name
 from symscrew.mobility import inverse_kinematics
 from symscrew.model import Model
@@ -76,6 +76,8 @@ def assemble(model: Model, y: Mapping[str, float | str], guess: object = None) -
             number or in another unit.
         ValueError: a guess of another size.
     """
+    expect(model, Model)
+    expect(y, Mapping)
     tree = model.system.tree
     labels = tuple(c.label for c in tree.q)
     start = np.asarray(model.system.reference if guess is None else guess, dtype=float)

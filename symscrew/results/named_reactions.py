@@ -15,7 +15,7 @@ import numpy as np
 
 from symscrew import notebook
 from symscrew.description import Mechanism
-from symscrew.errors import DescriptionError, did_you_mean
+from symscrew.errors import DescriptionError, did_you_mean, expect
 from symscrew.model import Model
 from symscrew.runtime import CompiledModel, load
 
@@ -174,6 +174,11 @@ def joint_wrenches(model: Model, q: object, v: object, a: object, **inputs: obje
     >>> joint_wrenches(crank, crank.system.reference, rest, rest)["crank_R"].about_joint().axes
     'absolute'
     """
+    expect(model, Model)
+    known = ["q", "v", "a", *(port.name for name in NEEDED for port in model.declared(name).inputs)]
+    for name in inputs:
+        if name not in known:
+            raise DescriptionError(f"no input {name!r} of joint reactions; {did_you_mean(name, dict.fromkeys(known))}")
     return wrenches_of(model, load(model.only(NEEDED)), {"q": q, "v": v, "a": a, **inputs})
 
 

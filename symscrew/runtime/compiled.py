@@ -21,12 +21,15 @@ import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
+from os import PathLike
 from pathlib import Path
+from pickle import PicklingError
 from typing import Any
 
 import numpy as np
 
 from symscrew import notebook
+from symscrew.errors import expect
 from symscrew.export import DOUBLE, library_sources
 from symscrew.model import Model
 from symscrew.runtime.c_library import Evaluators, Made, evaluators, library_of
@@ -56,6 +59,13 @@ class CompiledModel:
     def __init__(self, name: str, backend: str, functions: Mapping[str, CompiledFunction]) -> None:
         """Functions by name, as `load` makes them."""
         self.name, self.backend, self.functions = name, backend, dict(functions)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Refuse to be copied: its functions are the machine code of this process."""
+        raise PicklingError(
+            f"{self.name}: compiled functions belong to one process; give the other one the model, or the name of its "
+            "folder, and `symscrew.load` it there (it is compiled once, and kept)"
+        )
 
     def __getattr__(self, name: str) -> CompiledFunction:
         """The function of this name."""
@@ -121,6 +131,7 @@ def load(
         DescriptionError: the directory's mechanism.toml describes no mechanism.
         ValueError: a backend or precision that cannot be had.
     """
+    expect(source, Model, str, PathLike)
     if backend not in (None, "c", "casadi"):
         raise ValueError(f"expected the backend 'c' or 'casadi', got {backend!r}")
     origin = origin_of(source, precision, trusted=trusted, lanes=vectorised is True)

@@ -191,7 +191,9 @@ def model_of(directory: Path, content: Mapping[str, Any]) -> Model:
 
 def _selected(model: Model, content: Mapping[str, Any]) -> Model:
     """The model, with the functions of the manifest only if these were selected."""
-    return model.only(tuple(content.get("functions", {}))) if content.get("selected") is True else model
+    if content.get("selected") is not True:
+        return model
+    return model.only([name for name in content.get("functions", {}) if name in model.programs])
 
 
 def _same_interface(directory: Path, model: Model, name: str, *, ports: Ports, precision: Precision) -> None:

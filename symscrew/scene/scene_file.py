@@ -27,6 +27,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from decimal import Decimal
+from os import PathLike
 from pathlib import Path
 from typing import Any
 
@@ -47,7 +48,7 @@ from symscrew.description import (
     read_tables,
 )
 from symscrew.effects import check_effects, effect_from_table
-from symscrew.errors import DescriptionError, did_you_mean, shorten
+from symscrew.errors import DescriptionError, did_you_mean, expect, shorten
 from symscrew.kinematics import coordinate_units, full_name, typable_names
 from symscrew.scene.contents import INTERPOLATIONS, Initial, Integrator, Scene, Table
 from symscrew.scene.integration_methods import INTEGRATION_METHODS
@@ -70,6 +71,7 @@ def load_scene(path: str | Path) -> Scene:
     Raises:
         DescriptionError: the file cannot be read, or says where and what is wrong in it, and the cure.
     """
+    expect(path, str, PathLike)
     return from_file(path, parse_scene)
 
 

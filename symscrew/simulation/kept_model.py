@@ -49,7 +49,8 @@ def derived_model(mechanism: Mechanism, effects: Sequence[Effect], independent: 
     shaped = {name: list(zip(found["states"][name], found["sizes"][name], strict=True)) for name in found["states"]}
     states = Asked(shaped, lambda of: tuple(np.array(x, dtype=float).reshape(shape) for x, shape in of))
     kept_fields: dict[str, Any] = {name: tuple(v) if isinstance(v := found[name], list) else v for name in KEPT}
-    return Model(mechanism.name, mechanism, tuple(effects), programs, states, system, **kept_fields)
+    options = {"independent": None if independent is None else tuple(independent)}
+    return Model(mechanism.name, mechanism, known, programs, states, system, options=options, **kept_fields)
 
 
 def _read(kept: bytes | None) -> dict[str, Any] | None:

@@ -18,7 +18,7 @@ from queue import LifoQueue
 import numpy as np
 
 from symscrew.array_archives import MAX_BYTES, MAX_TOGETHER
-from symscrew.errors import DescriptionError
+from symscrew.errors import DescriptionError, expect
 from symscrew.model import Model
 from symscrew.results import Columns
 from symscrew.runtime import CompileError, find_compiler
@@ -119,6 +119,7 @@ def simulate_many(
             start from which the scene can begin.
         ValueError: an unknown backend, no thread.
     """
+    expect(scene, Scene)
     if threads is not None and threads < 1:
         raise ValueError(f"expected at least one thread, got {threads}")
     if backend not in (None, "c", "numpy"):

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from symscrew.effects import Contact, Passed
-from symscrew.errors import DescriptionError
+from symscrew.errors import DescriptionError, expect
 from symscrew.functions import REASONS
 from symscrew.model import Model
 from symscrew.program import Program
@@ -185,6 +185,7 @@ def simulate(
         DescriptionError: the scene's start or controller cannot work.
         ValueError: an unknown backend.
     """
+    expect(scene, Scene)
     model, programs = prepared or prepare(scene, held=controller is not None)
     q, v = initial_state(scene, model, programs.parameters)
     x = initial_states(scene, model, q, v)

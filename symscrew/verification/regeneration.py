@@ -13,12 +13,13 @@ import re
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from os import PathLike
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from symscrew.errors import shorten
+from symscrew.errors import expect, shorten
 from symscrew.export import (
     HASHES,
     PRECISIONS,
@@ -86,6 +87,7 @@ def check(directory: str | Path) -> CheckResult:
         OutputError: there is nothing generated at this place, or a file that says what was generated cannot be read.
         DescriptionError: mechanism.toml describes no mechanism.
     """
+    expect(directory, str, PathLike)
     root = Path(directory)
     if (root / "manifest.json").is_file():
         found = [root]

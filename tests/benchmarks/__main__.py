@@ -69,12 +69,16 @@ def main() -> None:
     parser.add_argument("name", choices=[*BENCHMARKS, "all"])
     parser.add_argument("--out", type=Path, help="folder for raw numbers, NAME.json each")
     parser.add_argument("--repeats", type=int, help="repeats of every measurement")
+    parser.add_argument("--seed", type=int, help="reposed: pose all mechanisms anew, from this seed on")
     arguments = parser.parse_args()
+    if arguments.seed is not None and arguments.name != "reposed":
+        parser.error("--seed is an option of reposed")
+    options = {} if arguments.seed is None else {"seed": arguments.seed}
     facts = {**machine("pin"), "C++ flags": " ".join(CPP_FLAGS)}
     print(table(["machine", ""], list(facts.items())))
     for name in BENCHMARKS if arguments.name == "all" else [arguments.name]:
         run, repeats = BENCHMARKS[name]
-        text, raw = run(repeats=arguments.repeats or repeats)
+        text, raw = run(repeats=arguments.repeats or repeats, **options)
         print(f"\n## {name}\n\n{text}", flush=True)
         if arguments.out is not None:
             arguments.out.mkdir(parents=True, exist_ok=True)

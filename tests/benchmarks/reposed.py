@@ -16,11 +16,11 @@ from support.reposed import DIGITS, UNITS, every
 VERDICTS = ("kept", "explained", "warned", "undecided", "wrong")
 
 
-def run(*, repeats: int = 1) -> tuple[str, dict[str, Any]]:
-    """Markdown and raw verdicts; `repeats` is of no use here, since nothing is timed."""
+def run(*, repeats: int = 1, seed: int = 0) -> tuple[str, dict[str, Any]]:
+    """Markdown and raw verdicts; `repeats` is of no use here, since nothing is timed. Another `seed`: other poses."""
     raw: dict[str, str] = {}
     counts: dict[tuple[str, str, str], Counter[str]] = {}
-    for digits, unit, name, judge in every():
+    for digits, unit, name, judge in every(seed=seed):
         verdict = judge().verdict
         raw[f"{digits} {unit} {name}"] = verdict
         kind = "generic" if name.startswith("generic") and name[7:].isdigit() else "special"

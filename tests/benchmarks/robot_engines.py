@@ -337,7 +337,24 @@ def pinocchio_model(path: Path) -> tuple[Any, int]:
     import pinocchio
 
     text, mended = possible(path)
-    return pinocchio.buildModelFromXML(text), mended
+    engine = pinocchio.buildModelFromXML(text)
+    for k, whole in enumerate(engine.inertias):  # of links that fixed joints join, in one
+        near = nearest(np.array(whole.inertia))
+        if near is not None:
+            engine.inertias[k] = pinocchio.Inertia(whole.mass, whole.lever, near)
+            mended += 1
+    return engine, mended
+
+
+def nearest(given: Array) -> Array | None:
+    """The nearest inertia that a body can have, or None where this is one."""
+    values, axes = np.linalg.eigh(given)
+    low = values.clip(min=0)
+    miss = (low[2] - low[0] - low[1]) / 3
+    if values[0] >= -1e-12 * values[2] and miss <= 1e-12 * values[2]:
+        return None
+    near: Array = axes @ np.diag(low + max(miss, 0) * np.array([1, 1, -1])) @ axes.T
+    return near
 
 
 def turning(engine: Any, v: Array) -> Array:
@@ -403,32 +420,33 @@ def possible(path: Path) -> tuple[str, int]:
     """
     root = read(path)
     heavy = {link.get("name") for link in root.findall("link") if link.find("inertial") is not None}
-    ends = [{end.get("link") for end in joint if end.tag in ("parent", "child")} for joint in root.findall("joint")
-            if joint.get("type") == "fixed"]  # fmt: skip
-    fixed = {name for pair in ends if pair <= heavy for name in pair}
+    groups = {link.get("name"): {link.get("name")} for link in root.findall("link")}
+    for joint in root.findall("joint"):
+        ends = [end.get("link") for end in joint if end.tag in ("parent", "child")]
+        if joint.get("type") == "fixed" and all(end in groups for end in ends):
+            whole = set().union(*(groups[end] for end in ends))
+            groups |= dict.fromkeys(whole, whole)
+    fixed = {name for name, whole in groups.items() if len(whole & heavy) > 1}
     mended = 0
     for link in root.findall("link"):
         for moments in link.findall("inertial/inertia"):
             given = np.zeros((3, 3))
             for i, j in ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)):
                 given[i, j] = given[j, i] = float(moments.get(f"i{'xyz'[i]}{'xyz'[j]}", "0"))
-            values, axes = np.linalg.eigh(given)
-            low = values.clip(min=0)
-            miss = (low[2] - low[0] - low[1]) / 3
-            if link.get("name") in fixed or (values[0] >= -1e-12 * values[2] and miss <= 1e-12 * values[2]):
+            near = None if link.get("name") in fixed else nearest(given)
+            if near is None:
                 continue
             mended += 1
-            whole = axes @ np.diag(low + max(miss, 0) * np.array([1, 1, -1])) @ axes.T
             for i, j in ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)):
-                moments.set(f"i{'xyz'[i]}{'xyz'[j]}", repr(float(whole[i, j])))
+                moments.set(f"i{'xyz'[i]}{'xyz'[j]}", repr(float(near[i, j])))
     links = {link.get("name") for link in root.findall("link")}
-    whole = "world" in links or all(end.get("link") != "world" for end in root.iter("parent"))
-    if not whole:
+    as_it_is = "world" in links or all(end.get("link") != "world" for end in root.iter("parent"))
+    if not as_it_is:
         root.append(Element("link", name="world"))  # Drake's, which it does not read
     for element in root.iter():
         for key, value in element.attrib.items():
             if value != value.strip():  # a line end beside a number, of which it leaves out the whole element
-                element.attrib[key], whole = value.strip(), False
-    if not mended and whole:
+                element.attrib[key], as_it_is = value.strip(), False
+    if not mended and as_it_is:
         return path.read_text(), 0
     return tostring(root, encoding="unicode"), mended

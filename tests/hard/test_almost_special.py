@@ -9,7 +9,7 @@ import mpmath
 import numpy as np
 import pytest
 import sympy
-from support.further_mechanisms import loop
+from support.further_mechanisms import Z, loop
 from support.reference_mechanisms import ENTRIES, build
 from support.reposed import posed
 
@@ -164,3 +164,56 @@ def test_a_loop_of_screws_that_are_not_quite_parallel_has_its_verdict_without_ma
     found = analyse_mobility(build(ENTRIES["delassus_4h"], change))
     assert found.singularities.margins is None and "whole turns" in found.singularities.unknown
     assert mobility_values(found)["dof"] == found.dof and "Margins are not known" in mobility_text(found)
+
+
+def screws(pitches: list[str]) -> Mobility:
+    """A parallelogram of screw joints: opposite ones turn alike, neighbours back; h1 - h2 + h3 - h4 = 0 moves."""
+    places = ([0, 0, 0], ["1.7", "0.4", 0], ["2.6", "2.3", 0], ["0.9", "1.9", 0])
+    joints = [("H", [sympy.Rational(c) for c in place], Z) for place in places]
+    return analyse_mobility(loop(*joints, pitches={k: sympy.Rational(h) for k, h in enumerate(pitches)}))
+
+
+def test_pitches_that_are_almost_those_of_a_linkage_that_moves_are_named() -> None:
+    """E. Delassus 1922; places and axes alone do not make it move: the pitches have to change, and are to be typed."""
+    typed = screws(["0.3", "-0.2", "0.1", "0.600000004"])
+    assert typed.finite.dof == 0 and typed.near is not None
+    assert typed.near.meant.finite.dof == 1 and 1e-10 < typed.near.distance < 1e-8
+    pitches = [place[2] for place in typed.near.places().values()]
+    again = screws([pitch for pitch in pitches if pitch is not None])
+    assert again.finite.dof == 1 and again.near is None
+    assert mobility_values(typed)["near"]["type_instead"]["J1"]["pitch"] == pitches[0]
+    assert f"pitch {pitches[0]}" in mobility_text(typed, full=True)
+
+
+@pytest.mark.parametrize("off", [sympy.Rational(1, 10**40), sympy.Integer(0)])
+def test_limbs_that_are_almost_stretched_have_fewer_constraints_over_the_field(off: sympy.Expr) -> None:
+    """The rank of the constraints is smaller there, not larger, since that of the limb is larger."""
+    limbs = {"one": [[0, 0, 0], [1, off, 0], [3, 0, 0]], "two": [[0, 1, 0], [2, 4, 0], [3, 2, 0]]}
+    builder = MechanismBuilder("stretched", platform="plate").body("plate")
+    for name, places in limbs.items():
+        bodies = ["base", f"{name}1", f"{name}2", "plate"]
+        for body in bodies[1:3]:
+            builder.body(body)
+        for k, place in enumerate(places):
+            builder.joint(f"{name}{k}", "R", parent=bodies[k], child=bodies[k + 1], point=place, axes=[Z])
+        builder.limb(name, joints=[f"{name}{k}" for k in range(3)])
+    found = analyse_mobility(builder.build())
+    exact = {rank.claim: (rank.numeric, rank.exact) for rank in found.decisions.ranks}
+    assert exact["rank of the limbs' constraints"] == ((4, 3) if off else (4, 4))
+    assert [check.claim for check in verify(found) if not check.holds] == []
+
+
+def test_what_rests_is_not_all_that_is_named_where_newton_solves_short_steps_alone() -> None:
+    """P. G. Altmann 1954, in six digits: a step of 0.2 is not solved, and geometry with the ranks alone rests."""
+    joints = [
+        ("-0.339465 -0.227676 0.596856", "-0.982104 -0.147667 0.116903"),
+        ("-0.479174 0.0771909 -0.191747", "-0.094301 0.922838 0.373468"),
+        ("-0.479174 0.0771909 -0.191747", "0.99137 0.121361 -0.04956"),
+        ("-0.612133 0.690843 -1.34869", "0.0835608 -0.876327 -0.474415"),
+        ("-0.558744 0.287603 -0.594431", "0.994553 0.103104 -0.0152761"),
+        ("-0.558744 0.287603 -0.594431", "-0.0878769 0.908275 0.409041"),
+    ]
+    read = lambda text: [sympy.Rational(c) for c in text.split()]  # noqa: E731
+    found = analyse_mobility(loop(*(("R", read(point), read(axis)) for point, axis in joints)))
+    moves = found.near is not None and found.near.meant.finite.dof == 1
+    assert found.finite.dof == 0 and (moves or any("special geometry" in text for text in found.not_tried))

@@ -104,6 +104,7 @@ def test_command_on_a_folder_of_problems(
         (["four_bear"], "four_bar"),
         (["four_bar", "--study", "kinematics"], "section 5"),
         (["four_bar", "--study", "growth"], "n_four_bar.toml"),
+        (["four_bar", "--problems", "no_such_folder"], "expected a folder of benchmark problems, got 'no_such_folder'"),
     ],
 )
 def test_bad_input_ends_with_one_line_and_no_files(

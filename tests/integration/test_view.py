@@ -388,3 +388,16 @@ def test_a_chooser_of_all_modes_has_configurations_that_close_the_loops(tmp_path
     home, other = (np.array(mode["q"]) for mode in data["modes"])
     assert np.array_equal(home, data["reference"]) and np.abs(home - other).max() > 0.1
     assert page_scene(model("four_bar"))["modes"] == []
+
+
+def test_a_run_under_effects_that_keep_another_joint_is_shown(tmp_path: Path) -> None:
+    """A rotor in the joint that is cut without it: the run's coordinates are those of its own tree."""
+    scene = tmp_path / "fall.toml"
+    scene.write_text(
+        '[scene]\nmechanism = "four_bar"\nduration = 0.02\nrate = 100\n[[effects]]\ntype = "gravity"\n'
+        '[[effects]]\ntype = "rotor_inertia"\njoint = "C"\ninertia = 0.01\n'
+    )
+    run, page = tmp_path / "fall.npz", tmp_path / "page.html"
+    assert main(["simulate", str(scene), "--out", str(run)]) == 0
+    assert "C" in read_motion(run).q_labels
+    assert main(["view", str(run), "--out", str(page)]) == 0 and '"C"' in page.read_text()

@@ -7,6 +7,7 @@ import math
 import os
 import signal
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -16,7 +17,7 @@ from support.model_states import pendulum
 from symscrew import catalogue
 from symscrew.cli.parser import main
 from symscrew.cli.workspace_command import sweep
-from symscrew.description import MechanismBuilder, to_toml
+from symscrew.description import Mechanism, MechanismBuilder, to_toml
 from symscrew.effects.gravity import Gravity
 from symscrew.errors import DescriptionError
 from symscrew.studies.workspace import engine, workspace
@@ -147,11 +148,64 @@ def test_condition_number_and_stiffness_of_an_arm() -> None:
     q = np.repeat(model.system.reference[None, :], 3, 0)
     q[:, 2], q[:, 4] = plan.axes[0].values, 1.0
     jacobian = model("platform_jacobian", q)[0][0].reshape(3, 6, 6).transpose(0, 2, 1).copy()
+    flange = np.stack([results[f"point flange.{c}"] for c in "xyz"], axis=1)  # v_P = v_O + omega x P
+    jacobian[:, 3:] += np.cross(jacobian[:, :3], flange[:, :, None], axis=1)
     jacobian[:, 3:] /= model.system.length
     expected = np.linalg.cond(jacobian)
     assert results["condition"] == pytest.approx(expected, rel=1e-9)
     least = (np.linalg.svd(jacobian, compute_uv=False)[:, 0] ** -2) * plan.stiffness * model.system.length**2
     assert results["stiffness least"] == pytest.approx(least, rel=1e-9)
+
+
+def five_bar(x: float, z: float, *, tool: bool) -> Mechanism:
+    """A five-bar somewhere in its plane."""
+    made = MechanismBuilder("five_bar", platform="left")
+    for name, place in {"arm_left": -0.2, "left": -0.15, "arm_right": 0.2, "right": 0.15}.items():
+        made.body(name, mass=1, com=[x + place, 0, z + 0.2])
+    for name, parent, child, at in (
+        ("A", "base", "arm_left", (-0.15, 0)), ("B", "arm_left", "left", (-0.3, 0.2)),
+        ("D", "base", "arm_right", (0.15, 0)), ("E", "arm_right", "right", (0.3, 0.2)),
+        ("C", "right", "left", (0, 0.6)),
+    ):  # fmt: skip
+        here = [x + at[0], 0, z + at[1]]
+        made.joint(name, "R", parent=parent, child=child, point=here, axes=[[0, 1, 0]], driven=name in "AD")
+    made.point("fixed", body="base", at=[x, 0, z + 1]).parameter("l", 0.5, unit="m")
+    return (made.point("tool", body="left", at=[x, 0, z + 0.6]) if tool else made).build()
+
+
+@pytest.mark.parametrize("tool", [True, False])
+def test_condition_and_stiffness_do_not_depend_on_the_place(tool: bool) -> None:
+    """With twists at O they did: the farther from O, the worse the same mechanism was."""
+    axes = (Axis("A", -0.4, 0.4, 3), Axis("D", -0.4, 0.3, 2))
+    here, there = (whole(Plan(five_bar(*at, tool=tool), (Gravity(),), axes, engine="casadi"))
+                   for at in ((0.0, 0.0), (12.5, -7.25)))  # fmt: skip
+    for name in ("condition", "stiffness least", "stiffness largest", "margin"):
+        assert there[name] == pytest.approx(here[name], rel=1e-9)
+    assert np.ptp(here["condition"]) > 0.01
+
+
+def without(mechanism: Mechanism, what: str) -> Mechanism:
+    if what == "drives":
+        return replace(mechanism, joints={n: replace(j, driven=()) for n, j in mechanism.joints.items()})
+    if what == "masses":
+        empty = {n: replace(b, mass=None, com=None, inertia=None) for n, b in mechanism.bodies.items()}
+        return replace(mechanism, bodies=empty)
+    return replace(mechanism, platform=None) if what == "platform" else mechanism
+
+
+@pytest.mark.parametrize("lacking", ["nothing", "platform", "drives", "masses"])
+def test_what_a_case_has_can_be_limited_and_nothing_else(lacking: str) -> None:
+    """A limit of a fixed point, of a parameter or tilt without an axis, of a condition without platform crashed."""
+    mechanism = without(five_bar(0.0, 0.0, tool=True), lacking)
+    axis = Axis("A", -0.01, 0.01, 2)
+    plan = Plan(mechanism, (Gravity(),), (axis,), engine="casadi")
+    found = whole(plan)
+    assert set(prepare_sweep(plan).units) == set(found)
+    limited = whole(replace(plan, limits=tuple((name, -math.inf, math.inf) for name in found if name != "allowed")))
+    assert (limited["allowed"] == np.min([~np.isnan(found[n]) for n in found], axis=0) * found["allowed"]).all()
+    for name in ("tilt", "l", "point fixed.x", "allowed", *({"platform": ["condition"]}.get(lacking, []))):
+        with pytest.raises(DescriptionError, match=f"--limit: no result '{name}'; "):
+            prepare_sweep(replace(plan, limits=((name, 0.0, 1.0),)))
 
 
 @pytest.mark.slow
@@ -329,6 +383,9 @@ def test_poses_and_passive_joints_are_axes_like_independent_coordinates() -> Non
 def test_reading() -> None:
     assert read_axis("tilt=0:90deg:3").values == pytest.approx([0, math.pi / 4, math.pi / 2])
     assert read_limit("limb1_P=-5mm:") == (("limb1_P", -0.005, math.inf), "m")
+    assert read_limit("condition=3:3")[0] == ("condition", 3.0, 3.0)
+    with pytest.raises(DescriptionError, match=r"--limit: expected the least first, .* got 'condition=3:2'"):
+        read_limit("condition=3:2")
 
 
 @pytest.mark.slow

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from support.analysed import analysed as found
-from support.further_mechanisms import unit
+from support.further_mechanisms import loop, unit
 from support.marks import slow
 
 from symscrew.description import MechanismBuilder
@@ -189,3 +189,18 @@ def test_branches_that_touch_are_told_apart_by_what_moves_on_them() -> None:
     assert (found.dof, found.finite.dof, found.finite.branches) == (3, 2, (2,)) and found.branches is not None
     kinds = {(row.dimension, row.platform.order, row.idle) for row in found.branches.rows if row.platform is not None}
     assert kinds == {(2, 2, ()), (2, 1, ("U20", "U22"))}
+
+
+def test_a_shaky_branch_is_listed_beside_one_of_its_dimension() -> None:
+    """The slider crank about x moves with both hinges about z at rest; or these turn what is between them.
+
+    There slide and hinges keep an instantaneous motion all along, for two of them are at the same height.
+    """
+    x, z = [1, 0, 0], [0, 0, 1]
+    joints = [("R", [0, 0, 0], z), ("P", [0, 0, 0], z), ("R", [1, 0, 0], x), ("R", [0, 1, 0], x), ("R", [0, 0, 2], z),
+              ("R", [0, 1, 3], x)]  # fmt: skip
+    result = analyse_mobility(loop(*joints))
+    assert result.finite.branches == (1,) and result.branches is not None
+    rows = result.branches.rows
+    assert [(row.dimension, row.platform is None) for row in rows] == [(1, False), (1, True)]
+    assert rows[0].idle == ("J1", "J5")

@@ -302,8 +302,11 @@ def test_keyframes_have_rates(tmp_path: Path) -> None:
     (tmp_path / "robot.toml").write_text(text_of(robot.mechanism, ".toml"))
     (tmp_path / "scene.toml").write_text(scene_text(robot, "robot.toml", "bite"))
     assert load_scene(tmp_path / "scene.toml").initial.rates == pytest.approx(robot.start_rates["bite"])
-    with pytest.raises(DescriptionError, match="qvel: expected 10 numbers, got 9"):
-        load_format(saved(FLYING.replace(" 9 10", " 9"), tmp_path))
+    fewer = saved(FLYING.replace(" 9 10", " 9"), tmp_path)
+    assert system.tree.v[-1].label not in load_robot(fewer).start_rates["bite"]
+    assert mujoco.MjModel.from_xml_path(str(fewer)).key_qvel[0][-1] == 0
+    with pytest.raises(DescriptionError, match="qvel: expected 10 numbers, got 11"):
+        load_format(saved(FLYING.replace(" 9 10", " 9 10 11"), tmp_path))
 
 
 @pytest.mark.parametrize(

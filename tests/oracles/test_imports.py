@@ -146,7 +146,7 @@ def test_mimic_joints_are_couplings(tmp_path: Path) -> None:
 
 def test_transmissions_and_unknown_elements(tmp_path: Path) -> None:
     drive = (
-        '<transmission name="t"><joint name="A"/><actuator name="m"><mechanicalReduction>50</mechanicalReduction>'
+        '<transmission name="t"><joint name="A"/><actuator name="m"><mechanicalReduction>"50"</mechanicalReduction>'
         "<rotorInertia>1e-5</rotorInertia></actuator></transmission><weather/><gazebo><plugin/></gazebo>"
     )
     found = import_file(saved(arm(drive), tmp_path, "robot.urdf"))
@@ -174,6 +174,14 @@ def test_xacro_output_as_it_comes_and_its_source_by_name(tmp_path: Path) -> None
             load_format(saved(f"{start}{body}{left}</robot>", tmp_path, "arm.urdf.xacro"))
     with pytest.raises(DescriptionError, match="expected links, found none"):
         load_format(saved(f"{start}</robot>", tmp_path, "arm.urdf"))
+    unused = (
+        '<xacro:property name="w" value="${2*pi}"/><xacro:macro name="m"><link name="${x}"/><xacro:n/></xacro:macro>'
+    )
+    account = import_file(saved(f"{start}{unused}{body}</robot>", tmp_path, "arm.urdf")).account
+    assert account.harmless["definitions of xacro that nothing uses"] == 2
+    for used in (body.replace('"a"', '"${w}"'), f"{body}<xacro:m/>", body.replace("0.1 0 0", "${w} 0 0")):
+        with pytest.raises(DescriptionError, match="it is the source of a URDF"):
+            load_format(saved(f"{start}{unused}{used}</robot>", tmp_path, "arm.urdf"))
 
 
 def test_a_floating_base(tmp_path: Path) -> None:

@@ -24,7 +24,7 @@ FLYING = f"""<mujoco model="flying"><worldbody><body name="hull" pos="1 2 3" eul
 {INERTIAL}<site name="eye" pos="0 0.2 0.1"/><body name="jaw" pos="0 0 0.2"><joint name="hinge" axis="1 2 0" ref="20"/>
 {INERTIAL}<site name="tooth" pos="0.1 0.1 0.1"/></body></body></body></worldbody>
 <keyframe><key name="bite" qpos="0.1 0.2 0.3 0.5 -0.5 0.7 0.1 0.3 0.4 -0.5 0.7 0.8"/>
-<key qpos="0 0 0 1 0 0 0 1 0 0 0 0"/>
+<key qpos="0 0 0 1 0 0 0 1 0 0 0 0"/><key name="few" qpos="0.1 0.2 0.3 0"/>
 </keyframe></mujoco>"""
 
 
@@ -36,7 +36,7 @@ def test_sites_are_where_the_engine_has_them(tmp_path: Path) -> None:
     engine = mujoco.MjModel.from_xml_path(str(path))
     data = mujoco.MjData(engine)
     labels = [c.label for c in system.tree.q]
-    assert list(found.starts) == ["bite", "key_1"] and set(found.starts["bite"]) == set(labels)
+    assert list(found.starts) == ["bite", "key_1", "few"] and set(found.starts["bite"]) == set(labels)
     for k, values in enumerate(found.starts.values()):
         q = np.array([values[name] for name in labels])
         places = evaluate(lower(points), [q, 0 * q[:-2], 0 * q[:-2]])[0][0].reshape(-1, 3)
@@ -55,9 +55,9 @@ def test_a_scene_begins_there(tmp_path: Path, capsys: pytest.CaptureFixture[str]
     assert main([*command, "--replace", "--start", "bite"]) == 0
     assert load_scene(tmp_path / "scene.toml").initial.coordinates == pytest.approx(import_file(path).starts["bite"])
     assert main([*command[:4], "--replace", "--start", "bite"]) == 2
-    short = FLYING.replace(" 0.7 0.8", "")
-    with pytest.raises(DescriptionError, match="qpos: expected 12 numbers, got 10"):
-        import_file(saved(short, tmp_path))
+    long = FLYING.replace(" 0.7 0.8", " 0.7 0.8 0.9")
+    with pytest.raises(DescriptionError, match="qpos: expected 12 numbers, got 13"):
+        import_file(saved(long, tmp_path))
 
 
 CLOSED = f"""<mujoco><worldbody><body name="A" pos="0 0 0.3"><joint name="a" axis="0 1 0"/>

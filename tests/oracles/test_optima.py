@@ -177,3 +177,17 @@ def test_another_size_is_derived_for_what_it_is(size: float) -> None:
     derived = size if not 0.25 <= size <= 4 else 1.0
     assert found.ok and found.model.system.length == pytest.approx(derived * usual.model.system.length)
     assert found.cost == pytest.approx(usual.cost * size**4, rel=1e-5, abs=0)
+
+
+@pytest.mark.parametrize("low", [0.5, 0.7, 1 / 3])
+@pytest.mark.parametrize("kind", ["effort", "time"])
+def test_designs_and_durations_are_within_their_ranges(low: float, kind: str) -> None:
+    """Not 8e-9 outside: the lightest mass takes least effort, the shortest way the least time."""
+    lengths = {"duration": (low, 3.0)} if kind == "time" else {"duration": 1.0}
+    found = solve(TrajectoryProblem(
+        weighed(), **SWING, **lengths, objectives=(Objective(kind),), design={"m": (low, 2.0)}, accuracy=None,
+        transcription=Transcription(intervals=4),
+    ))  # fmt: skip
+    value, end = (found.duration, low) if kind == "time" else (found.parameters["m"], low)
+    assert found.ok and end <= value <= end + 1e-6
+    assert low <= found.parameters["m"] <= 2.0

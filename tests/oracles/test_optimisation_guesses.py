@@ -13,6 +13,7 @@ from symscrew.description import load_description
 from symscrew.errors import DescriptionError
 from symscrew.optimisation import solution, tie_breaking
 from symscrew.optimisation.many_starts import Attempt, Search, random_guesses
+from symscrew.optimisation.plan_verdict import judged
 from symscrew.optimisation.problem import Bounds, Objective, TrajectoryProblem, Transcription
 from symscrew.optimisation.result import Trajectory
 from symscrew.optimisation.solution import attempts, prepare, solve, transcribe
@@ -136,3 +137,15 @@ def test_the_cost_without_effort_is_that_of_the_motion() -> None:
     assert bare.cost == pytest.approx(np.trapezoid(power, at.t), rel=0.1)  # power between the points is not its own
     assert bare.cost < mixed.cost and bare.cost > found.cost * (1 - 1e-6)
     assert "least effort breaks ties" in bare.notes[-1]
+
+
+@pytest.mark.parametrize("part, much", [(1.0, True), (1e-2, True), (1e-3, False)])
+def test_with_effort_is_called_optimal_as_far_as_it_is(part: float, much: bool) -> None:
+    """With as much effort as cost it costs 2 % more than the best, which it was called."""
+    problem = pushed()
+    found = solve(problem)
+    bare = judged(tie_breaking.without_effort(solve(tie_breaking.with_effort(found, part)), problem, found.transcribed))
+    assert bare.ok is not much
+    words = "not confirmed: least effort breaks ties" if much else "optimal with effort that breaks ties, 1.8e-04 of"
+    assert bare.status.startswith(words) and "no better motion is near" not in bare.status
+    assert (bare.cost > found.cost * 1.01) == (part == 1.0)

@@ -165,7 +165,7 @@ def test_numbers_to_type_instead_are_the_special_geometry() -> None:
     meant = analyse_mobility(build(ENTRIES["bennett"], instead))
     assert (meant.dof, meant.finite.dof, meant.near) == (1, 1, None)
     (lines,) = [lines for heading, lines in sections(typed) if heading.startswith("To type for")]
-    for name, (point, _) in places.items():
+    for name, (point, _, _) in places.items():
         assert any(line.startswith(f"{name}: point ({', '.join(point)})") for line in lines)
 
 

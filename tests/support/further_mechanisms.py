@@ -361,6 +361,20 @@ CASES: dict[str, Case] = {
         ),
         (1, 1, None, 4), "two pitches about one axis",
     ),
+    "4H parallelogram": Case(
+        lambda: loop(
+            *(("H", [x, y, 0], Z) for x, y in ((0, 0), (4, 1), (6, 5), (2, 4))),
+            pitches={0: HALF, 1: -HALF, 2: Rational(1, 3), 3: Rational(4, 3)},
+        ),
+        (1, 1, None, 3), "Delassus 1922: pitches with h1 - h2 + h3 - h4 = 0",
+    ),
+    "translations of two X": Case(
+        lambda: loop(
+            *(("R", [x, y, 0], Z) for x, y in ((0, 0), (4, 1), (6, 5))), ("P", [2, 4, 1], [1, 2, 2]),
+            *(("R", [x, 0, z], Y) for x, z in ((1, 3), (5, 2), (3, 7))), ("P", [1, 1, 1], [2, 1, 2]),
+        ),
+        (3, 3, None, 1), "Herve and Sparacino 1991: X(u) and X(v) have the translations in common",
+    ),
     "rhombus, two branches": Case(
         lambda: loop(("R", [0, 0, 0], Z), ("R", [1, 0, 0], Z), ("R", [2, 0, 0], Z), ("R", [1, 0, 0], Z)),
         (2, 1, (1,), 4), "rhombus, or B on D",

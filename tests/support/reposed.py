@@ -180,11 +180,14 @@ def generic_posed(seed: int, *, digits: str, unit: str) -> Posed:
     return judged(f"generic{seed}", builder.build(), expected)
 
 
-def every(names: Any = None, generics: int = 30) -> Iterator[tuple[str, str, str, Callable[[], Posed]]]:
-    """(digits, unit, name, what judges it) of the whole set; seeds follow the order, so that results repeat."""
+def every(names: Any = None, generics: int = 30, seed: int = 0) -> Iterator[tuple[str, str, str, Callable[[], Posed]]]:
+    """(digits, unit, name, what judges it) of the whole set; seeds follow the order from `seed` on, so results repeat.
+
+    Another `seed` poses all anew, and makes other generic mechanisms.
+    """
     for digits in DIGITS:
         for unit in UNITS:
-            for k, name in enumerate(ENTRIES if names is None else names):
+            for k, name in enumerate(ENTRIES if names is None else names, start=seed):
                 yield digits, unit, name, lambda n=name, k=k, d=digits, u=unit: reference(n, seed=k, digits=d, unit=u)  # type: ignore[misc]
-            for k in range(generics):
+            for k in range(seed, seed + generics):
                 yield digits, unit, f"generic{k}", lambda k=k, d=digits, u=unit: generic_posed(k, digits=d, unit=u)  # type: ignore[misc]

@@ -19,7 +19,7 @@ from support.reference_mechanisms import ENTRIES, build
 
 from symscrew.cli.parser import main
 from symscrew.description.mechanism import Mechanism
-from symscrew.mobility import analyse_mobility, with_components
+from symscrew.mobility import analyse_mobility, judged_modes, with_components
 from symscrew.mobility.components import (
     UNCHECKED,
     ClosureEquations,
@@ -29,6 +29,7 @@ from symscrew.mobility.components import (
     all_components,
     closure_equations,
     configuration_space,
+    mode_lines,
     pose_lines,
     pose_modes,
     space_lines,
@@ -155,6 +156,19 @@ def test_components_prove_nothing_where_they_are_singular_or_others_were_seen() 
         vars(found)["branches"] = replace(found.branches, rows=found.branches.rows[:rows], complete="", open="unknown")
         again = with_components(found, modes).branches
         assert again is not None and not again.complete
+
+
+def test_a_miura_fold_is_decomposed_whole() -> None:
+    """Flat it folds along its zigzag, about two straight lines, or each of these with the other flat: all, proved.
+
+    Nine panels about four vertices; a component on which a joint is turned by half a turn is listed once.
+    """
+    found = space("miura flat")
+    assert found.proved and found.settles and not found.resting and all(not part.held for part in found.parts)
+    assert [(p.dimension, p.degree) for p in found.parts if p.through] == [(2, 1), (1, 3), (1, 3), (1, 4)]
+    assert len(found.parts) == 11 and len({part.equations for part in found.parts}) == 11
+    rows = with_components(analyse_mobility(mechanism("miura flat")), found).branches
+    assert rows is not None and rows.complete and sorted(row.dimension for row in rows.rows) == [1, 1, 1, 2]
 
 
 def test_a_double_parallelogram_keeps_its_coupler_parallel_or_is_stiff() -> None:
@@ -320,3 +334,15 @@ def test_where_many_solutions_meet_doubles_refute_nothing(monkeypatch: pytest.Mo
     monkeypatch.setattr(all_components, "exact_parts", without_the_others)
     made = mechanism("coupler point")
     assert "on none of the components" in str(configuration_space(made, network_of(made)))
+
+
+def test_the_third_mode_of_the_4_ruu_is_there_with_two_freedoms() -> None:
+    """Nurahmi and others 2016: certified by a regular configuration, in intervals; not where it does not close."""
+    found = analyse_mobility(four_ruu())
+    modes = seen_modes(four_ruu()).others
+    (mode,) = judged_modes(found, modes).modes
+    assert mode.certified and mode.dimension == 2 and mode.witness is not None
+    assert "certified by intervals" in mode_lines(replace(modes, modes=(mode,)))[1]
+    for other in (replace(mode, dimension=3), replace(mode, witness=0 * mode.witness)):  # there more moves
+        (refused,) = judged_modes(found, replace(modes, modes=(replace(other, certified=False),))).modes
+        assert not refused.certified

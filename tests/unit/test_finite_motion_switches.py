@@ -197,7 +197,7 @@ def test_fixed_point_integers_hold_sixty_digits(monkeypatch: pytest.MonkeyPatch)
 
 def values(g: float, u: float) -> Values:
     one = np.ones((1, 1))
-    return Values(one * u, one, one * g, one[None], np.array([True]))
+    return Values(one * u, one, one * g, one[None], one[None], np.array([True]))
 
 
 @pytest.mark.parametrize(
@@ -209,7 +209,7 @@ def test_what_counts_as_a_zero_on_a_sphere(g: float, u: float, zero: bool) -> No
     assert len(is_zero(values(g, u), 0.1, 1e-8)) == zero
 
 
-@pytest.mark.parametrize("name, value", [("STEPS", 0), ("SOLVES", 0), ("SOLVED", 0.0), ("DAMPING", 0.0)])
+@pytest.mark.parametrize("name, value", [("STEPS", 0), ("SOLVES", 1), ("SOLVED", 0.0), ("DAMPING", 0.0)])
 def test_zeros_on_a_sphere_need_their_steps(monkeypatch: pytest.MonkeyPatch, name: str, value: float) -> None:
     coarse, _, here = local(CHANGE_POINT)
     starts = np.array(list(local_solutions.flatten(here.dof, 12)))
@@ -254,15 +254,16 @@ def test_a_sphere_on_which_double_precision_sees_nothing_is_named(monkeypatch: p
 def test_a_zero_that_was_not_classified_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
     real = branches._dimensions
     lost = branches.BranchPoint(branches.UNDECIDED, 2, np.zeros(1), "a zero on it could not be classified")
+    kind = (branches.UNDECIDED, True)
 
-    def with_one_lost(*given: object, **named: object) -> dict[int, branches.BranchPoint]:
-        return {**real(*given, **named), branches.UNDECIDED: lost}  # type: ignore[arg-type]
+    def with_one_lost(*given: object, **named: object) -> dict[tuple[int, bool], branches.BranchPoint]:
+        return {**real(*given, **named), kind: lost}  # type: ignore[arg-type]
 
     monkeypatch.setattr(branches, "_dimensions", with_one_lost)
     found = through_the_change_point()
     assert found.dimensions == (1,)
     assert "another zero could not be classified: a branch of a further dimension is not excluded" in found.evidence
-    monkeypatch.setattr(branches, "_dimensions", lambda *given, **named: {branches.UNDECIDED: lost})
+    monkeypatch.setattr(branches, "_dimensions", lambda *given, **named: {kind: lost})
     with pytest.raises(UndecidedError, match="dimension cannot be told"):
         through_the_change_point()
 

@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from random import Random
 
 import numpy as np
 import pytest
 import sympy
+from mpmath.libmp import from_man_exp
 from support.marks import slow
 from support.reference_mechanisms import ENTRIES, build
 from support.rewritten import four_bar_with
 from sympy import Rational, cos, pi, sin, sqrt
 
 from symscrew import catalogue
+from symscrew.algebra import CONTEXT
 from symscrew.mobility.analysis import analyse_mobility
+from symscrew.mobility.screw_systems import _rounded, eliminate
 from symscrew.mobility.symbols.exact_field import Field
 from symscrew.mobility.symbols.exact_numbers import NotDecidableError, Number, expression, inverse, value
 from symscrew.mobility.symbols.exact_ranks import exact_rank, null_vectors, rank_modulo
@@ -120,3 +124,23 @@ def test_normal_forms_are_unique() -> None:
     field = Field()
     a, b = field.read(sqrt(2)), field.read(sqrt(3))
     assert isinstance(a * b, Number) and (a + b) * (b - a) == 1 and a * b == field.read(sqrt(6))
+
+
+def test_elimination_rounds_as_mpmath_does() -> None:
+    """Ties go to the even digit, of either sign: the numbers are those of the library, to the last digit."""
+    random = Random(3)
+    for m in (
+        0b1011,
+        0b1001,
+        0b1101,
+        0b10111,
+        0b1000,
+        0b11111,
+        *(random.getrandbits(400) | 1 << 400 for _ in range(50)),
+    ):
+        for sign in (1, -1):
+            digits = 3 if m < 64 else 200
+            assert from_man_exp(*_rounded(sign * m, 5, digits)) == from_man_exp(sign * m, 5, digits, "n")
+    third, one = CONTEXT.mpf(1) / 3, CONTEXT.one
+    found = eliminate([[3 * third, third, CONTEXT.zero], [one, third, third * third]], 3)
+    assert found.pivots == (0, 2) and found.rows[0][1] == third and found.rows[1][:2] == (0, 0)

@@ -24,6 +24,9 @@ FOREIGN = {
     "studies/accuracy/load_sharing.py",  # limbs of the seed by their letters
     "mobility/proofs/proof_checker.py",  # imports nothing of the package, so that who doubts it need not trust it
     "mobility/proofs/proof_numbers.py",  # what it writes for that checker
+    "mobility/proofs/way_checker.py",  # imports that checker alone
+    "mobility/proofs/way_proofs.py",  # what it writes for it
+    "formats/mjcf_keyframes.py",  # how many numbers a file's joint has in a keyframe
     "assembly/held_structure.py",  # groups of unknowns are called free here, as bodies are: no joint is meant
     "assembly/closure_ideal.py",  # the same
     "assembly/batch_equations.py",  # the same

@@ -166,3 +166,40 @@ def test_commands_say_what_of_a_file_they_leave_out_or_have_otherwise(
     (tmp_path / "arm.urdf").write_text(text.replace('link="a"', 'link="world"'))
     assert main(["mobility", str(tmp_path / "arm.urdf")]) == 0
     assert "note: joints hang on a link 'world' that the file does not have" in capsys.readouterr().err
+
+
+def test_reductions_that_are_no_numbers_matter_to_rotors_alone(tmp_path: Path) -> None:
+    said = HINGE.format(type="revolute", axis="0 0 1", lower="-1", damping="0")
+    odd = said.replace(
+        '<actuator name="m"/>', '<actuator name="m"><mechanicalReduction>{0}</mechanicalReduction>{1}</actuator>'
+    )
+    assert (
+        account(tmp_path, odd.format("ratio", ""), "urdf").harmless["reductions of transmissions that are no numbers"]
+        == 1
+    )
+    rotor = "<motorInertia>1e-4</motorInertia>"
+    assert account(tmp_path, odd.format("'7.5'", rotor), "urdf").effects["rotor inertia of a transmission"] == 1
+    with pytest.raises(DescriptionError, match="mechanicalReduction: expected decimal numbers, got 'ratio'"):
+        account(tmp_path, odd.format("ratio", rotor), "urdf")
+
+
+def test_a_mass_without_moments_is_a_point(tmp_path: Path) -> None:
+    text = HINGE.format(type="revolute", axis="0 0 1", lower="-1", damping="0")
+    path = tmp_path / "point.urdf"
+    inertial = '<inertial><origin xyz="0.5 0 0"/><mass value="2"/></inertial>'
+    path.write_text(text.replace('<link name="b"/>', f'<link name="b">{inertial}</link>'))
+    found = import_file(path)
+    assert found.mechanism.bodies["b"].mass == 2 and not any(map(any, found.mechanism.bodies["b"].inertia))
+    assert "<link name='b'>: a mass without <inertia>: a point, as for ROS" in found.account.changed
+    path.write_text(path.read_text().replace('<mass value="2"/>', ""))
+    with pytest.raises(DescriptionError, match="inertial: expected one <mass>, found 0"):
+        import_file(path)
+
+
+def test_bodies_and_joints_without_names_get_none_that_others_have(tmp_path: Path) -> None:
+    one = '<body {0}><joint {1}/><geom size="0.1"/></body>'
+    path = tmp_path / "named.xml"
+    named = one.format('name="body"', 'name="joint"')
+    path.write_text(f"<mujoco><worldbody>{one.format('', '')}{named}</worldbody></mujoco>")
+    found = import_file(path).mechanism
+    assert list(found.bodies) == ["world", "body_2", "body"] and list(found.joints) == ["joint_2", "joint"]

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -24,12 +25,13 @@ from symscrew.optimisation import (
 )
 from symscrew.optimisation import problem as words
 from symscrew.optimisation.constraints import FORMULATIONS
+from symscrew.optimisation.descents import descended
 from symscrew.optimisation.followed_branch import Branch
 from symscrew.optimisation.objectives import OBJECTIVE_TYPES
 from symscrew.optimisation.obstacles import SHAPES
 from symscrew.optimisation.problem import Bounds, Conditions, Objective, Solver, TrajectoryProblem, Transcription
 from symscrew.optimisation.refinement import refinement_of
-from symscrew.optimisation.result import Trajectory
+from symscrew.optimisation.result import Statistics, Trajectory
 from symscrew.optimisation.solution import METHODS, prepare, solve
 from symscrew.optimisation.tableau import HIGHEST_DEGREE, tableau
 
@@ -186,7 +188,19 @@ def test_conditions_out_of_reach(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_too_few_damped_steps_do_not_reach(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(consistent_poses, "MOST_DAMPED_STEPS", 1)
+    monkeypatch.setattr(consistent_poses, "STEPS_OF_A_STEP", 0)
     assert "is out of reach" in prepare(crank()).guess.trouble
+
+
+@pytest.mark.parametrize("way", [99.0, 101.0, 600.0])
+def test_what_is_far_is_not_out_of_reach(monkeypatch: pytest.MonkeyPatch, way: float) -> None:
+    """A rail of more than 100 m, a crank that turns more than 15 times: steps of half a metre ended before it."""
+    rail = TrajectoryProblem(slider(), (), **rest_to_rest({"slide": 0.0}, {"slide": way}))  # type: ignore[arg-type]
+    turned = crank(end=Conditions(coordinates={"A": way}, at_rest=True))
+    for problem in (rail, turned):
+        assert prepare(problem).guess.trouble == ""
+    monkeypatch.setattr(consistent_poses, "MOST_FAR_STEPS", 0)
+    assert ("is out of reach" in prepare(rail).guess.trouble) == (way > 100)
 
 
 def test_damping_only_changes_the_way(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -338,3 +352,25 @@ def test_words_about_a_motion_change_no_look_at_it(coarse: Trajectory) -> None:
     )
     with pytest.raises(AssertionError):
         coarse.told(x=coarse.x)
+
+
+@dataclass(frozen=True)
+class Stopped:
+    """What a solver found at a cost, with what it took; a better point is near until the last."""
+
+    cost: float
+    statistics: Statistics
+    better: np.ndarray | None = field(default_factory=lambda: np.zeros(1))
+    ok: bool = True
+
+    def told(self, **words: Any) -> Stopped:
+        return replace(self, **words)
+
+
+@pytest.mark.parametrize("costs, best, took", [((3.0, 4.0), 5.0, 3), ((3.0, 2.0, 1.0, 0.5), 1.0, 4), ((6.0,), 5.0, 2)])
+def test_what_was_tried_from_better_motions_counts(costs: tuple[float, ...], best: float, took: int) -> None:
+    """Until it does not pay, at most three times; all iterations are told, of what was not better as well."""
+    every = [Stopped(cost, Statistics(1, {}, {})) for cost in costs]
+    left = iter(every)
+    found = descended(Stopped(5.0, Statistics(1, {}, {})), lambda _: next(left), say=lambda _: None, until=np.inf)
+    assert (found.cost, found.statistics.iterations) == (3.0 if costs == (3.0, 4.0) else best, took)

@@ -44,6 +44,18 @@ def test_header_says_all_that_a_user_must_know(model):
     assert "matrix[6] (2x3, column by column)" in header
 
 
+def test_the_header_tells_the_stack_of_second_paths():
+    """As many bytes as their arrays hold, which a batch needs beside its blocks."""
+    found = support_model("four_bar").only(["forward_dynamics", "forward_dynamics_reactions"])
+    sizes = []
+    for body in re.findall(r"^(?:static )?int \w+_rank_revealing\(.*?^}", c.print_source(found), re.M | re.S):
+        declared = re.findall(r"^ +double (\w+\[.*);$", body, re.M)
+        sizes.append(8 * sum(int(size) for line in declared for size in re.findall(r"\w\[(\d+)\]", line)))
+    (told,) = re.findall(r"also arrays of (\d+)", re.sub(r"\s*\n \* ", " ", c.print_header(found)))
+    assert len(sizes) == 2 and max(sizes) == int(told)
+    assert "also arrays of" not in c.print_header(found.only(["energy"]))
+
+
 def test_limits_say_what_they_refuse_and_entries_their_units(model):
     """A limit is not a bare number: its status, and the limb that does not reach. Counts are not units."""
     guarded = model.programs["guarded"]

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from support.further_mechanisms import CASES, Z, loop
+from support.further_mechanisms import CASES, Z, loop, three_bars
 from support.marks import slow
 from support.reference_mechanisms import ENTRIES, build
 
@@ -347,3 +347,18 @@ def test_a_name_in_a_file_says_nothing_in_the_checkers_place() -> None:
     values["not proved"] = [{"claim": "x\nproved: finite mobility 7", "value": 1, "why": "\x1b[2J"}]
     said = str(check_proof(values))
     assert "\nproved: finite mobility 7" not in said and "\x1b" not in said
+
+
+@pytest.mark.parametrize("off, moves", [(Fraction(1, 10**40), True), (Fraction(1, 10**10), False)])
+def test_what_exact_decimals_stop_by_less_than_rounding_is_no_contradiction(off: Fraction, moves: bool) -> None:
+    """Three parallel cranks have the rank of what moves whatever their lengths; the third is longer by a little."""
+    feet = [[0, 0], [3, 1], [5, -1]]
+    tips = [[1, 2], [4, 3], [6 + off, 1 + 2 * off]]
+    found = analyse_mobility(three_bars([], feet, tips))
+    assert found.dof == 1 and (found.finite.dof == 1) is moves
+    assert [check.claim for check in verify(found) if not check.holds] == []
+    values = mobility_proof(found)
+    assert {"claim": "finite mobility", "value": 0} in values["claims"]
+    said = [entry for entry in values["not proved"] if "taken for rounding" in entry["claim"]]
+    assert [entry["value"] for entry in said] == ([1, True, None] if moves else [])
+    assert any("taken as exact, stop the motion" in text for text in found.finite.evidence) is moves

@@ -63,6 +63,17 @@ def test_a_nameless_line_of_another_limb_says_so() -> None:
     assert all("/*" not in line for line in text[1:-3])
 
 
+def test_a_nameless_line_that_several_limbs_read_is_of_none() -> None:
+    """It is made of both limbs, and both read it: not of the one that reads it first."""
+    own = [("omega", "upper", (0, 0))] * MOST
+    hub = [("omega", "lower", (0, 0)), ("", "", (1, 9))]
+    first = [("alpha", "upper", (10, 10))]
+    for readers, said in ((first, [""]), ([*first, ("alpha", "lower", (10, 10))], ["", "mechanism */"])):
+        text = shown(program(*own, *hub, *readers))
+        (line,) = (line for line in text if re.match(r"t\d+ ", line))
+        assert line.partition("/* ")[2] == said[-1]
+
+
 @pytest.mark.parametrize("name", ["four_bar", "slider_crank"])
 def test_no_statement_changes(name: str) -> None:
     """Headings are comments: without them the code is what it is without origins, but for the names."""

@@ -8,6 +8,7 @@
 | `reactions` | (n, 6 joints) | wrench (f ; m_O) of every joint, from parent on child, absolute axes; may be missing |
 | `mechanism` | () | TOML text of the description, or a name of the catalogue |
 | `q_labels`, `u_labels` | (nq,), (nu,) | labels of the columns |
+| `scene` | () | TOML text with the [[effects]] under which it moved; may be missing |
 
 Other arrays are ignored.
 """
@@ -33,6 +34,7 @@ NEEDED = ("t", "q", "v", "mechanism", "q_labels")
 class RecordedMotion:
     """A motion as it was read: t (n,) [s], q (n, nq), v (n, nv); u (n, nu) and reactions (n, 6 joints) or None.
 
+    `scene`: with the effects under which it moved, which may keep other joints in the tree; empty where none is known.
     `frames`: about how many states a page is to hold, all peaks among them; None: as many as make 4 MB.
     """
 
@@ -45,6 +47,7 @@ class RecordedMotion:
     q_labels: tuple[str, ...]
     u_labels: tuple[str, ...]
     frames: int | None = None
+    scene: str = ""
 
     def __repr__(self) -> str:
         return f"RecordedMotion({self.mechanism.name}: {len(self.t)} states from {self.t[0]:g} s to {self.t[-1]:g} s)"
@@ -86,7 +89,7 @@ def read_motion(path: str | Path) -> RecordedMotion:
         DescriptionError: the file cannot be read, lacks an array, or its arrays do not fit together.
     """
     file = Path(path)
-    arrays = read_archive(file, (*NEEDED, "u", "u_labels", "reactions"))
+    arrays = read_archive(file, (*NEEDED, "u", "u_labels", "reactions", "scene"))
     missing = [name for name in NEEDED if name not in arrays]
     if missing:
         raise DescriptionError(f"{file.name}: expected the arrays {', '.join(NEEDED)}; missing: {', '.join(missing)}")
@@ -107,7 +110,8 @@ def _motion(name: str, arrays: dict[str, Array]) -> RecordedMotion:
     assert q is not None and v is not None
     q_labels = _texts(name, "q_labels", arrays, q.shape[1])
     u_labels = _texts(name, "u_labels", arrays, u.shape[1]) if u is not None and "u_labels" in arrays else ()
-    return RecordedMotion(mechanism, t, q, v, u, reactions, q_labels, u_labels)
+    scene = str(arrays["scene"]) if "scene" in arrays and arrays["scene"].dtype.kind == "U" else ""
+    return RecordedMotion(mechanism, t, q, v, u, reactions, q_labels, u_labels, scene=scene)
 
 
 def _numbers(name: str, key: str, arrays: dict[str, Array], shape: tuple[int, ...]) -> Array | None:

@@ -36,7 +36,10 @@ class Prismatic(LowerPair):
         geometry, axis, reference = site.geometry, site.axis, site.reference
         local = geometry.settle(transform(transpose(site.parent.axes), axis))
         origin, phase = _origin(site, axis), geometry.tape.node(-reference)
-        return replace(site.resting_frame(origin), axis=local, phase=phase, reference=reference)
+        resting = site.resting_frame(origin)
+        away = subtract(site.in_parent(site.point), resting.offset)
+        arm = geometry.settle(subtract(away, scale(dot(away, local), local)))
+        return replace(resting, axis=local, phase=phase, reference=reference, arm=arm)
 
     def placement(self, tape: Tape, frame: Frame, q: Sequence[Node], turn: Turn | None = None) -> Placement:
         """The origin slides along the axis."""
@@ -64,10 +67,10 @@ class Prismatic(LowerPair):
         return (prismatic(axis),)
 
     def cleared(self, frame: Frame, force: Vector, moment: Vector) -> tuple[Vector, Vector]:
-        """Without the force along the axis."""
+        """Without the force along the axis, which acts on the line through the joint's point."""
         axis = frame.axis
         along = axis[0] * force[0] + axis[1] * force[1] + axis[2] * force[2]
-        return subtract(force, scale(along, axis)), moment
+        return subtract(force, scale(along, axis)), subtract(moment, scale(along, cross(frame.arm, axis)))
 
     def base_inertia(self, geometry: Geometry, frame: Frame, own: Inertia) -> tuple[Inertia, Inertia] | None:
         """The angular inertia is the parent's, with which the slider turns."""

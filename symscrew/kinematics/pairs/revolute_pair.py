@@ -99,7 +99,8 @@ def turning_frame(site: Site) -> Frame:
     phase = tape.settle(tape.function("atan2", sine, cosine) - reference)
     axes = transpose((x, geometry.settle(cross(axis, x)), axis))
     offset = site.in_parent(origin)
-    return Frame(axes, origin, before, offset, local, tape.node(phase), reference, start=(cosine, sine))
+    arm = geometry.settle((0, 0, dot(axis, subtract(point, origin))))
+    return Frame(axes, origin, before, offset, local, tape.node(phase), reference, start=(cosine, sine), arm=arm)
 
 
 def turned(frame: Frame, turn: Turn) -> Placement:

@@ -3,27 +3,29 @@
     planar mechanisms: cosine and sine of every body's angle, lengths of slides; two equations a loop, linear in these
     two bodies joined by limbs: Study's parameters of one against the other, tangents of half the angles of some joints,
     and what is left of every limb as forms of degree 1 and 2 (`limb_equations`)
+    more bodies that join three joints or more: `several_bodies`
 
-The reference configuration is a known point of the zeros. What is not algebraic, or neither of these, is said so.
+The reference configuration is a known point of the zeros. What is not algebraic, or none of these, is said so.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 
 from symscrew.algebra import cross, dot, subtract
 from symscrew.description import Mechanism
-from symscrew.mobility.components.limb_equations import (
-    LARGEST_CHAIN,
-    PARAMETERS,
-    Form,
-    Screw,
-    applied,
-    cut_out,
-    implicit_forms,
+from symscrew.mobility.components.closure_parts import (
+    CHARTS,
+    MOST_VARIABLES,
+    ClosureEquations,
+    Length,
+    NotAlgebraicError,
+    Vector,
+    limb_of,
+    turned_to,
 )
+from symscrew.mobility.components.limb_equations import PARAMETERS, applied
 from symscrew.mobility.components.polynomials import (
     Polynomial,
     conjugate,
@@ -33,64 +35,9 @@ from symscrew.mobility.components.polynomials import (
     total,
     variable,
 )
+from symscrew.mobility.components.several_bodies import closure_of_several, joints_at, posed_bodies
 from symscrew.mobility.joint_network import Network
 from symscrew.mobility.symbols import Exact, ExactSystem, Field, NotDecidableError, across, exact_system
-
-MOST_VARIABLES = 40
-"""Beyond it no decomposition ends in reasonable time: twenty planar bodies."""
-CHARTS = tuple(Fraction(a, b) for a, b in ((3, 7), (-5, 11), (2, 9), (-4, 13), (6, 17), (-1, 5)))
-"""Tangents, negative, at which joint variables are in the reference. A component on which a joint rests exactly half a
-turn from where its variable is zero is missed in this chart, and seen in others, which begin later in this list
-(`charts.held_components`); no description prefers these."""
-SETTLED = 2
-"""Freedoms at the end of a limb, with independent screws, whose displacements the pose and the other variables fix."""
-Vector = tuple[Exact, Exact, Exact]
-
-
-class NotAlgebraicError(ValueError):
-    """The closure has no such polynomials; the text says why."""
-
-
-@dataclass(frozen=True)
-class Length:
-    """A variable that a freedom's displacement sets: joint, which of its freedoms, in which sense, screw, zero.
-
-    `zero`: the tangent that the variable lacks; None of a planar mechanism's slide, where the variable times the screw
-    is the displacement itself.
-    """
-
-    joint: str
-    freedom: int
-    sign: int
-    screw: Screw
-    zero: Fraction | None
-
-
-@dataclass(frozen=True)
-class ClosureEquations:
-    """Polynomials that are zero at all configurations, with the variables' names and meaning.
-
-    `reference`: the variables' values there; `scaled`: those of which only ratios matter (Study's parameters, none
-    for planar ones); `excluded`: polynomials that vanish at no configuration; `subject`: what the variables fix;
-    `body`: whose pose against `base` it is; empty of planar mechanisms, for which `axis` and `turning` name the axis
-    and the bodies of the cosines and sines; `lengths`: the variables of single freedoms, slides or joints of limbs;
-    `settles`: whether the variables fix the displacements of all joints of the loops, so that no two configurations are
-    one zero, and no zero is beyond the reach of a limb.
-    """
-
-    variables: tuple[str, ...]
-    equations: tuple[Polynomial, ...]
-    reference: tuple[Exact, ...]
-    scaled: tuple[int, ...]
-    excluded: tuple[Polynomial, ...]
-    field: Field
-    subject: str
-    base: str = ""
-    body: str = ""
-    axis: Vector | None = None
-    turning: tuple[str, ...] = ()
-    lengths: tuple[Length, ...] = ()
-    settles: bool = True
 
 
 def closure_equations(
@@ -112,7 +59,9 @@ def closure_equations(
     try:
         system = exact_system(mechanism)
         found = _planar(mechanism, network, system)
-        if found is None:
+        if found is None and len(posed_bodies(network, looped)) > 2:
+            found = closure_of_several(network, system, looped, chart)
+        elif found is None:
             found = _between_two_bodies(network, system, looped, chart, fewest=fewest)
     except NotDecidableError as error:
         raise NotAlgebraicError(str(error)) from error
@@ -206,19 +155,6 @@ def _vector(values: Sequence[Exact]) -> Vector:
     return x, y, z
 
 
-Step = tuple[str, int, int, Screw]
-"""Joint, its freedom, the sense in which it is passed, and the screw."""
-
-
-@dataclass(frozen=True)
-class _Limb:
-    """A chain from base to body: screws of the freedoms that stay variables, and forms of what follows them."""
-
-    heads: tuple[Step, ...]
-    forms: tuple[Form, ...]
-    settled: bool
-
-
 def _between_two_bodies(
     network: Network, system: ExactSystem, looped: set[str], chart: int, *, fewest: bool
 ) -> ClosureEquations:
@@ -229,7 +165,7 @@ def _between_two_bodies(
         steps = [
             (name, k, sign, screw) for name, sign in joints for k, screw in list(enumerate(system.screws[name]))[::sign]
         ]
-        limbs.append(_limb(steps, single=len(chains) == 2 and not fewest))
+        limbs.append(limb_of(steps, single=len(chains) == 2 and not fewest))
     count = sum(len(limb.heads) for limb in limbs) + PARAMETERS
     names = [f"t{k + 1}" for k in range(count - PARAMETERS)] + ["x0", "x1", "x2", "x3", "y0", "y1", "y2", "y3"]
     first = count - PARAMETERS
@@ -246,7 +182,7 @@ def _between_two_bodies(
                 (place + chart) % len(CHARTS)
             ]  # so that half a turn from the reference is no tangent at infinity
             tangent = variable(place, count)
-            turned = [constant(c, count) for c in _turned(screw, zero)]
+            turned = [constant(c, count) for c in turned_to(screw, zero)]
             head = product(product(head, joint_factor(screw, tangent, count)), turned)
             square = dot(_vector(screw[:3]), _vector(screw[:3]))
             if square:
@@ -262,42 +198,10 @@ def _between_two_bodies(
     )  # fmt: skip
 
 
-def _turned(screw: Screw, tangent: Fraction) -> list[Exact]:
-    scaled = [tangent * c for c in screw]
-    return [Fraction(1), *scaled[:3], Fraction(0), *scaled[3:]]
-
-
-def _limb(steps: Sequence[Step], *, single: bool) -> _Limb:
-    """A limb of which as few freedoms stay variables as leave a tail that its forms cut out.
-
-    Of a single loop all but two, so that the variables fix every joint.
-    """
-    for heads in range(max(0, len(steps) - 2) if single else 0, len(steps) + 1):
-        tail = [screw for *_, screw in steps[heads:]]
-        if len(tail) <= LARGEST_CHAIN:
-            forms = implicit_forms(tail)
-            if cut_out(tail, forms):
-                return _Limb(tuple(steps[:heads]), tuple(forms), _settled(tail))
-    raise NotAlgebraicError("a limb that its equations do not cut out")
-
-
-def _settled(tail: Sequence[Screw]) -> bool:
-    """Whether a pose of the tail fixes its displacements: of two freedoms unless they are about or along one line."""
-    if len(tail) < SETTLED:
-        return True
-    one, two = tail[0], tail[-1]
-    pairs = ((i, j) for i in range(len(one)) for j in range(i))
-    return len(tail) == SETTLED and any(one[i] * two[j] - one[j] * two[i] for i, j in pairs)
-
-
 def limbs_between(network: Network, looped: set[str]) -> tuple[str, str, list[list[tuple[str, int]]]]:
     """(base, body, the joints of each limb from base to body with their senses) of two bodies with limbs between."""
-    at: dict[str, list[str]] = {}
-    for name in network.edges:
-        if name in looped:
-            for end in (network.edges[name].parent, network.edges[name].child):
-                at.setdefault(end, []).append(name)
-    hubs = [body for body in network.bodies if len(at.get(body, ())) > 2]
+    at = joints_at(network, looped)
+    hubs = posed_bodies(network, looped)
     if not hubs:
         hubs = _opposite(network)
     if len(hubs) != 2:

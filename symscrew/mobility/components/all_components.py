@@ -22,8 +22,9 @@ from typing import Any
 import numpy as np
 
 from symscrew.description import Mechanism
-from symscrew.mobility.components.algebraic_closure import ClosureEquations, NotAlgebraicError, closure_equations
+from symscrew.mobility.components.algebraic_closure import closure_equations
 from symscrew.mobility.components.charts import held_components
+from symscrew.mobility.components.closure_parts import ClosureEquations, NotAlgebraicError
 from symscrew.mobility.components.component_parts import Part, joined
 from symscrew.mobility.components.exact_parts import SECONDS, exact_parts
 from symscrew.mobility.components.real_configurations import (

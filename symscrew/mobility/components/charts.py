@@ -11,9 +11,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from math import isfinite
 
 from symscrew.description import Mechanism
-from symscrew.mobility.components.algebraic_closure import CHARTS, ClosureEquations, Length, closure_equations
+from symscrew.mobility.components.algebraic_closure import closure_equations
+from symscrew.mobility.components.closure_parts import CHARTS, ClosureEquations, Length
 from symscrew.mobility.components.component_parts import Part
 from symscrew.mobility.components.exact_parts import exact_parts
 from symscrew.mobility.components.real_configurations import resting_angles, turning
@@ -87,4 +89,4 @@ def _lacked(length: Length) -> float:
 
 
 def _same(a: float, b: float) -> bool:
-    return abs(a - b) <= SAME * max(abs(a), abs(b))
+    return isfinite(a) and abs(a - b) <= SAME * max(abs(a), abs(b))  # no chart lacks half a turn from the reference

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from symscrew.mobility.components.all_components import ConfigurationSpace
 from symscrew.mobility.components.component_parts import Part
 from symscrew.mobility.components.mode_sampling import SampledMode, SampledModes
 from symscrew.mobility.components.modes_of_poses import Motion, PoseMode, PoseModes
+from symscrew.mobility.components.numerical_decomposition import NumericalComponent, NumericalSpace
 
 MOST_SHOWN = 6
 """Equations of a component in words; all are in the JSON."""
@@ -17,6 +19,8 @@ UNCHECKED = "which no proof file rechecks"
 """Of exact algebra, Singular's or factors of one equation: the checker of proof files knows of no Groebner bases."""
 ALONE = "irreducible in its dimension, while lower ones within it are not excluded"
 """A part whose section is that of one component, and of which no more is known."""
+CERTIFIED = "a regular configuration of it is certified by intervals, with exactly this dimension"
+"""Of a sampled mode: it is there, and as large as said; that it is one, and that there are no others, is sampled."""
 UNSETTLED = (
     "Not all joints are among the variables: components are of the body's poses, those that differ only in the limbs "
     "are one, motions of limbs with the body at rest are not listed, and what is listed may be beyond a limb's reach"
@@ -105,14 +109,16 @@ def _mode(mode: SampledMode, found: SampledModes) -> str:
     where = places[mode.through]
     shown = "; ".join(f"{e} = 0" for e in mode.equations) or "no linear equation"
     text = f"dimension {mode.dimension} ({mode.poses} of the poses), {where}, {mode.count} of {found.found}: {shown}"
-    return f"{text}; {mode.quadrics} quadrics" if mode.quadrics > 1 else text
+    text += f"; {mode.quadrics} quadrics" if mode.quadrics > 1 else ""
+    return f"{text}; {CERTIFIED}" if mode.certified else text
 
 
 def mode_values(found: SampledModes) -> dict[str, Any]:
     """The same as JSON values."""
     modes = [
         {"dimension": m.dimension, "dimension_of_poses": m.poses, "through_reference": m.through,
-         "linear_equations": [f"{e} = 0" for e in m.equations], "quadrics": m.quadrics, "configurations": m.count}
+         "linear_equations": [f"{e} = 0" for e in m.equations], "quadrics": m.quadrics, "configurations": m.count,
+         "certified_at_a_configuration": m.certified}
         for m in found.modes
     ]  # fmt: skip
     return {"body": found.body, "judgement": "sampled", "configurations": found.found, "modes": modes}
@@ -171,3 +177,55 @@ def pose_values(found: PoseModes) -> dict[str, Any]:
         "modes": modes, "unseen": [[f"{e} = 0" for e in part.equations] for part in found.unseen],
         **{f"beside_{name}": value for name, value in mode_values(found.others).items()},
     }  # fmt: skip
+
+
+def numerical_lines(spaces: Sequence[NumericalSpace]) -> list[str]:
+    """A line for each component by numerical decomposition, and what it rests on."""
+    return [line for space in spaces for line in _numerical_space(space)]
+
+
+def _numerical_space(found: NumericalSpace) -> list[str]:
+    count = len(found.components)
+    head = (
+        f"numerical: {count} component{'s' * (count != 1)} of the {found.subject} that real configurations are on, "
+        f"irreducible over the complex numbers; degrees by the trace test in {_variables(found.variables)}; "
+        f"others may be missing{f'; {found.reason}' if found.reason else ''}"
+    )
+    lines = [head, *(_numerical(part, found) for part in found.components)]
+    if found.isolated:
+        lines.append(f"{found.isolated} isolated configurations with no freedom, where the equations are regular")
+    if found.unplaced:
+        lines.append(f"{found.unplaced} of {found.found} real configurations on none: singular, or not followed")
+    return lines if found.settles else [*lines, UNSETTLED]
+
+
+def _numerical(part: NumericalComponent, found: NumericalSpace) -> str:
+    where = {True: "through the reference", False: "elsewhere", None: "not known whether through the reference"}
+    several = f"one component or up to {part.sets}, " if part.sets > 1 else ""
+    number = f"degree {part.degree}" if part.closed else f"{several}not all points found, {part.degree} so far"
+    of = " of combinations of the equations, all of which are" if found.combined else ", the equations are"
+    proof = (
+        f"{part.certified} of {part.degree} points on a random section certified (Krawczyk) as regular zeros{of} "
+        f"below {part.residual:.0e} there" if part.certified else "no point certified"
+    )  # fmt: skip
+    trace = f"; trace {part.trace:.0e}{' in 60 digits' if part.fine else ''}" if part.closed else ""
+    joined = f"; all joined again in {part.loops} loop{'s' * (part.loops != 1)}" if part.loops else ""
+    size = f"dimension {part.dimension}, {number}, {where[part.through]}"
+    return f"{size}, {part.on} of {found.found} real configurations; {proof}{trace}{joined}"
+
+
+def numerical_values(spaces: Sequence[NumericalSpace]) -> list[dict[str, Any]]:
+    """The same as JSON values, one for each set of loops that share no joint with others."""
+    return [
+        {"judgement": "numerical", "subject": s.subject, "variables": list(s.variables), "field": s.field,
+         "all_points_found": s.closed, "not_done": s.reason, "real_configurations": s.found,
+         "isolated_configurations": s.isolated, "unplaced_configurations": s.unplaced,
+         "all_joints_settled": s.settles, "certified_of_combinations": s.combined,
+         "components": [
+             {"dimension": c.dimension, "degree": c.degree, "all_points_found": c.closed,
+              "through_reference": c.through, "real_configurations": c.on, "certified_points": c.certified,
+              "largest_equation": c.residual if c.certified else None, "trace": c.trace if c.closed else None,
+              "trace_in_60_digits": c.fine, "at_most_components": c.sets, "loops_that_join_again": c.loops}
+             for c in s.components]}
+        for s in spaces
+    ]  # fmt: skip

@@ -18,7 +18,7 @@ from typing import Any
 
 from symscrew.algebra import CONTEXT
 from symscrew.mobility.components.algebra_program import ALGEBRA_PROGRAM, algebra_answer
-from symscrew.mobility.components.algebraic_closure import ClosureEquations
+from symscrew.mobility.components.closure_parts import ClosureEquations
 from symscrew.mobility.components.component_parts import ExactParts, Part
 from symscrew.mobility.components.plane_sections import Basis, Section, sections
 from symscrew.mobility.components.polynomials import Exponents, Polynomial

@@ -66,7 +66,7 @@ class Mode:
 
     `sign` is 0 where redundant rows leave no determinant. `corners`: displacements through which a path without a
     singularity leads from the reference, straight between them but for the closure; None where none was found.
-    `margin`: smallest singular value on it.
+    `margin`: smallest singular value on it; `trail`: displacements along it [points x columns].
     """
 
     q: Array
@@ -74,6 +74,7 @@ class Mode:
     sign: int
     corners: tuple[Array, ...] | None
     margin: float
+    trail: Array | None = None
 
 
 @dataclass(frozen=True)
@@ -109,7 +110,8 @@ def assembly_connections(network: Network, drives: Sequence[int] = ()) -> ModeCo
         route = routes.get(alike.index(k)) if k in alike else None
         margin = min((ways[min(e), max(e)].margin for e in pairwise(route or ())), default=paths.smallest(q))
         corners = None if route is None else tuple(nodes[i] for i in route[1:-1])
-        modes.append(Mode(q, paths.smallest(q), signs[k], corners, margin if route is not None else 0.0))
+        trail = None if route is None or len(route) < 2 else _trail(ways, route)
+        modes.append(Mode(q, paths.smallest(q), signs[k], corners, margin if route is not None else 0.0, trail))
     return ModeConnections(drives, tuple(modes), len(ways))
 
 
@@ -136,8 +138,7 @@ def regular_ways(
         while left:
             first, routes = left[0], _routes(ways, left[0])
             for k in [k for k in left[1:] if k in routes]:
-                legs = [ways[a, b].points if a < b else ways[b, a].points[::-1] for a, b in pairwise(routes[k])]
-                found[alike[first], alike[k]] = np.concatenate(legs)
+                found[alike[first], alike[k]] = _trail(ways, routes[k])
             left = [k for k in left if k not in routes]
     return found
 
@@ -172,6 +173,12 @@ def _routes(ways: Mapping[tuple[int, int], Regular], first: int = 0) -> dict[int
                 routes[there] = (*routes[here], there)
                 front.append(there)
     return routes
+
+
+def _trail(ways: Mapping[tuple[int, int], Regular], route: Sequence[int]) -> Array:
+    """Displacements along ways from node to node."""
+    legs = [ways[a, b].points if a < b else ways[b, a].points[::-1] for a, b in pairwise(route)]
+    return np.concatenate(legs)
 
 
 class _Paths:
@@ -315,49 +322,3 @@ def _curvature(screws: Array, direction: Array) -> Array:
     norms = np.linalg.norm(screws[:, :, :3], axis=2) + np.linalg.norm(screws[:, :, 3:], axis=2)
     carried = (weights * norms).sum(axis=1) * np.linalg.norm(first, axis=1)
     return np.asarray(carried + np.linalg.norm(norms, axis=1) * (weights * first).sum(axis=1))
-
-
-def connection_lines(found: ModeConnections | str, network: Network) -> list[str]:
-    """A line for each assembly mode."""
-    if isinstance(found, str):
-        return [found]
-    names = _names(found, network)
-    count = len(found.modes)
-    lines = [
-        f"{count} assembly mode{'s' * (count != 1)} with {', '.join(names)} as in the reference, sampled by {STARTS} "
-        f"random starts; a road map with {found.ways} ways without a singularity"
-    ]
-    first = found.modes[0]
-    for k, mode in enumerate(found.modes, start=1):
-        text = f"{k}: smallest singular value {mode.smallest:.2g}"
-        if k == 1:
-            text += ", the reference"
-        elif mode.corners is not None:
-            places = (", ".join(f"{corner[c]:.3f}" for c in found.drives) for corner in mode.corners)
-            through = "".join(f", ({place})" for place in places)
-            text += f", connected with the reference, at least {mode.margin:.2g} on the way; drives there{through}"
-        elif mode.sign * first.sign < 0:
-            text += ", a singularity on every way from the reference: the determinants have opposite signs"
-        else:
-            text += ", no way from the reference was found"
-        lines.append(text)
-    return lines
-
-
-def connection_values(found: ModeConnections | str, network: Network) -> dict[str, Any]:
-    """The same as JSON values: displacements of all joints at the corners [rad, sizes of the mechanism]."""
-    if isinstance(found, str):
-        return {"decided": False, "why": found}
-    modes = [
-        {"smallest_singular_value": m.smallest, "sign": m.sign, "margin_on_the_way": m.margin,
-         "corners": None if m.corners is None else [list(map(float, c)) for c in m.corners]}
-        for m in found.modes
-    ]  # fmt: skip
-    return {"decided": True, "judgement": "sampled", "drives": _names(found, network), "modes": modes}
-
-
-def _names(found: ModeConnections, network: Network) -> list[str]:
-    """The drives by joint and index."""
-    owners = [(edge, column) for edge in network.edges.values() for column in edge.columns]
-    names = {c: e.name if len(e.screws) == 1 else f"{e.name}.{c - e.start}" for e, c in owners}
-    return [names[c] for c in found.drives]

@@ -10,7 +10,7 @@ it. Two modes that these do not tell apart count as one, and one that no start h
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import combinations_with_replacement
 from typing import Any
@@ -57,7 +57,8 @@ class SampledMode:
     """A mode: dimension of its configurations and of the body's poses, its linear forms, how many quadrics vanish.
 
     `count`: configurations from random starts on it; `through`: whether the reference is on it, None where linear forms
-    and quadrics alone do not cut the mode out.
+    and quadrics alone do not cut the mode out. `witness`: displacements of a configuration on it; `certified`: whether
+    intervals show that near it there is one and that all configurations around have exactly the mode's dimension.
     """
 
     dimension: int
@@ -66,6 +67,8 @@ class SampledMode:
     quadrics: int
     count: int
     through: bool | None
+    witness: Array | None = field(default=None, compare=False, repr=False)
+    certified: bool = False
 
 
 @dataclass(frozen=True)
@@ -85,6 +88,7 @@ class _Forms:
     linear: Array
     quadratic: Array
     cut_out: bool
+    witness: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -128,7 +132,8 @@ def sampled_modes(network: Network, body: str, found: Array | None = None) -> Sa
     modes = []
     for forms, count in groups:
         through = _zero(forms, reference) if forms.cut_out else None
-        modes.append(SampledMode(*forms.size, _equations(forms.linear), len(forms.quadratic), count, through))
+        shown = _equations(forms.linear), len(forms.quadratic)
+        modes.append(SampledMode(*forms.size, *shown, count, through, forms.witness))
     modes.sort(key=lambda m: (-m.dimension, -m.poses, m.equations))
     return SampledModes(body, tuple(modes), len(found))
 
@@ -209,7 +214,7 @@ def _forms(network: Network, variety: ClosureVariety, poses: Array, body: str) -
         gradients[:, j] += quadratic[:, form] * x[i]
     values = np.linalg.svd(np.concatenate([linear, gradients]), compute_uv=False)
     cut_out = len(NAMES) - 1 - int((values > ALIKE).sum()) == size[1]
-    return _Forms(size, linear, quadratic, cut_out)
+    return _Forms(size, linear, quadratic, cut_out, poses[EVERY * sizes.index(size)])
 
 
 def _null(rows: Array) -> Array:

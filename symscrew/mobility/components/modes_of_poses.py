@@ -16,8 +16,9 @@ from typing import Any
 import numpy as np
 
 from symscrew.description import Mechanism
-from symscrew.mobility.components.algebraic_closure import ClosureEquations, NotAlgebraicError, closure_equations
+from symscrew.mobility.components.algebraic_closure import closure_equations
 from symscrew.mobility.components.all_components import ON, on_part
+from symscrew.mobility.components.closure_parts import ClosureEquations, NotAlgebraicError
 from symscrew.mobility.components.component_parts import Part
 from symscrew.mobility.components.mode_sampling import SampledModes, freedoms_at, sampled_modes
 from symscrew.mobility.components.parallel_axes import modes_of_axes
@@ -84,11 +85,11 @@ def pose_modes(mechanism: Mechanism, network: Network) -> PoseModes | str:
     """The modes in which outer axes of limbs stay parallel, and what else is seen; or why none are known."""
     try:
         closure = closure_equations(mechanism, network, fewest=True)
+        if not closure.body:
+            return "not decided: the closure is of the angles of all bodies"
+        parts = modes_of_axes(mechanism, network, closure)
     except NotAlgebraicError as error:
         return f"not decided: {error}"
-    if not closure.body:
-        return "not decided: the closure is of the angles of all bodies"
-    parts = modes_of_axes(mechanism, network, closure)
     if isinstance(parts, str):
         return f"not decided: {parts}"
     q = real_configurations(network)

@@ -18,7 +18,8 @@ from collections.abc import Iterator, Sequence
 from symscrew.algebra import cross
 from symscrew.description import Mechanism
 from symscrew.mobility.components.algebra_program import ALGEBRA_PROGRAM, algebra_answer
-from symscrew.mobility.components.algebraic_closure import ClosureEquations, limbs_between
+from symscrew.mobility.components.algebraic_closure import limbs_between
+from symscrew.mobility.components.closure_parts import ClosureEquations
 from symscrew.mobility.components.component_parts import Part
 from symscrew.mobility.components.exact_parts import (
     field_text,
@@ -30,7 +31,7 @@ from symscrew.mobility.components.exact_parts import (
 from symscrew.mobility.components.limb_equations import PARAMETERS
 from symscrew.mobility.components.polynomials import Polynomial, conjugate, constant, product, variable
 from symscrew.mobility.joint_network import Network
-from symscrew.mobility.symbols import Exact, exact_system
+from symscrew.mobility.symbols import Exact, exact_inverse, exact_system, exact_value
 
 SECONDS = 10.0
 """Of the processor. Those of the literature here end in one."""
@@ -71,8 +72,8 @@ def _outer_axes(mechanism: Mechanism, network: Network) -> Iterator[tuple[Direct
 
 def _scaled(vector: Sequence[Exact]) -> Direction:
     """The same line's direction, however long it was given, so that equal ones are seen to be."""
-    largest = max(vector, key=lambda c: abs(float(c)))
-    return tuple(c / largest for c in vector)
+    back = exact_inverse(max(vector, key=lambda c: abs(float(exact_value(c)))))
+    return tuple(c * back for c in vector)
 
 
 def _parallel(closure: ClosureEquations, a: Direction, b: Direction) -> list[Polynomial]:

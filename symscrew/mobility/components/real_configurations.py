@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from symscrew.mobility.components.algebraic_closure import ClosureEquations, Length
+from symscrew.mobility.components.closure_parts import ClosureEquations, Length
 from symscrew.mobility.finite import ClosureVariety
 from symscrew.mobility.joint_network import Network
 from symscrew.mobility.symbols import exact_value

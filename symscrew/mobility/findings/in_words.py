@@ -183,9 +183,10 @@ def _above(distance: float) -> str:
 def _instead(near: Near) -> list[str]:
     """What to type for every joint."""
     lines = []
-    for name, (point, axes) in near.places().items():
+    for name, (point, axes, pitch) in near.places().items():
         turned = "".join(f", axis ({', '.join(axis)})" for axis in axes)
-        lines.append(f"{name}: point ({', '.join(point)}){turned}")
+        screwed = "" if pitch is None else f", pitch {pitch}"
+        lines.append(f"{name}: point ({', '.join(point)}){turned}{screwed}")
     return lines
 
 

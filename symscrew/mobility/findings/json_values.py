@@ -96,11 +96,13 @@ def _near(found: Mobility) -> dict[str, Any] | None:
         "platform": meant.platform.type,
         "dof_drives_locked": meant.dof_drives_locked,
         "changes": dict(found.near.changes),
-        "type_instead": {
-            name: {"point": list(point), "axes": [list(axis) for axis in axes]}
-            for name, (point, axes) in found.near.places().items()
-        },
+        "type_instead": {name: _typed(*place) for name, place in found.near.places().items()},
     }
+
+
+def _typed(point: tuple[str, ...], axes: tuple[tuple[str, ...], ...], pitch: str | None) -> dict[str, Any]:
+    values: dict[str, Any] = {"point": list(point), "axes": [list(axis) for axis in axes]}
+    return values if pitch is None else {**values, "pitch": pitch}
 
 
 def _counts(found: Mobility) -> dict[str, Any]:

@@ -16,7 +16,7 @@ from itertools import combinations
 import numpy as np
 
 from symscrew.algebra import CONTEXT, Vector, cross, dot, scale
-from symscrew.mobility.finite.joint_changes import PLACE, Slots, changed, slots_of
+from symscrew.mobility.finite.joint_changes import PITCH, PLACE, changed, count_of, numbers_of, slots_of
 from symscrew.mobility.finite.variety import Array
 from symscrew.mobility.joint_network import Edge, Network
 
@@ -53,11 +53,11 @@ def aligned(network: Network, tolerance: float) -> Network | None:
     """
     slots = slots_of(network)
     lines = _parallel([line for edge in network.edges.values() for line in _lines(edge)], tolerance)
-    z = np.array([CONTEXT.zero] * sum(3 * len(own) for own in slots.values()), dtype=object)
+    z = np.array([CONTEXT.zero] * count_of(slots), dtype=object)
     for line in lines:
-        z[_numbers(slots, line.edge.name, line.slot)] = _turn(line)
+        z[numbers_of(slots, line.edge.name, line.slot)] = _turn(line)
     for name, shift in _shifts(lines, tolerance).items():
-        z[_numbers(slots, name, PLACE)] = shift
+        z[numbers_of(slots, name, PLACE)] = shift
     return changed(network, slots, z) if any(z) else None
 
 
@@ -65,10 +65,12 @@ def turned_together(network: Network) -> Array:
     """Columns of the numbers z of `changed` with which axes that are parallel stay so: they turn alike."""
     slots = slots_of(network)
     lines = [line for edge in network.edges.values() for line in _lines(edge)]
-    alone = np.eye(sum(3 * len(own) for own in slots.values()))
+    alone = np.eye(count_of(slots))
     parallel = _groups(len(lines), lambda i, k: _across_each_other(lines[i], lines[k]) < SAME_DIRECTION)
-    numbers = [[_numbers(slots, lines[k].edge.name, lines[k].slot) for k in group] for group in parallel]
-    places = [alone[:, _numbers(slots, name, PLACE)] for name in slots]
+    numbers = [[numbers_of(slots, lines[k].edge.name, lines[k].slot) for k in group] for group in parallel]
+    places = [
+        alone[:, numbers_of(slots, name, slot)] for name in slots for slot in (PLACE, PITCH) if slot in slots[name]
+    ]
     return np.concatenate([*places, *(sum(alone[:, own] for own in group) for group in numbers)], axis=1)
 
 
@@ -84,12 +86,6 @@ def _lines(edge: Edge) -> Iterator[_Line]:
             x, y, z = screw[:3] if motion.turns else screw[3:]
             direction = np.array([float(x), float(y), float(z)])
             yield _Line(edge, motion.axis or 0, motion.turns, point, direction, (x, y, z))
-
-
-def _numbers(slots: Slots, name: str, slot: int) -> slice:
-    start = 3 * sum(len(own) for other, own in list(slots.items())[: list(slots).index(name)])
-    start += 3 * slots[name].index(slot)
-    return slice(start, start + 3)
 
 
 def _turn(line: _Line) -> Array:

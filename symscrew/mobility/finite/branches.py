@@ -89,7 +89,7 @@ def find_branches(coarse: ClosureVariety, fine: ClosureVariety, here: Local, for
     """The dimensions of all branches that were found through `here`; none means an isolated configuration."""
     reduced = ReducedClosure(coarse, here)
     starts, in_cone = _starts(here.dof, forms)
-    found: dict[int, BranchPoint] = {}
+    found: dict[tuple[int, bool], BranchPoint] = {}
     known: set[int] = set()
     evidence = []
     left_out = []
@@ -109,11 +109,12 @@ def find_branches(coarse: ClosureVariety, fine: ClosureVariety, here: Local, for
             f"{len(kept)} of them lead to the configuration (followed down to {reached:.1e})"
         )
         groups = _kinds(coarse, kept)
-        for dimension, point in _dimensions(coarse, fine, groups, radius=radius, known=known).items():
-            found.setdefault(dimension, point)
+        for kind, point in _dimensions(coarse, fine, groups, radius=radius, known=known).items():
+            found.setdefault(kind, point)
         known |= set(groups)
-    if set(found) - {UNDECIDED}:
-        if found.pop(UNDECIDED, None) is not None:
+    points = [found[kind] for kind in sorted(found) if kind[0] != UNDECIDED]
+    if points:
+        if len(points) < len(found):
             left_out.append("another zero could not be classified: a branch of a further dimension is not excluded")
     elif found:
         raise UndecidedError(
@@ -122,9 +123,9 @@ def find_branches(coarse: ClosureVariety, fine: ClosureVariety, here: Local, for
         )
     if not evidence:
         raise UndecidedError("the reduced closure is too small on all spheres to find its zeros in double precision")
-    points = [found[d] for d in sorted(found)]
     witnesses = (Witness(coarse.network, "branch", p.dimension, p.instantaneous, p.q) for p in points)
-    return Branches(tuple(sorted(found)), (*evidence, *left_out, *(p.text for p in points)), tuple(witnesses))
+    texts = (*evidence, *left_out, *(p.text for p in points))
+    return Branches(tuple(sorted({p.dimension for p in points})), texts, tuple(witnesses))
 
 
 def _starts(dof: int, forms: Array) -> tuple[Array, int]:
@@ -188,13 +189,16 @@ def _dimensions(
     *,
     radius: float,
     known: Set[int],
-) -> dict[int, BranchPoint]:
-    """Dimension of the branch at each kind of zero, with how it was decided; of `known` kinds one zero is enough."""
-    found: dict[int, BranchPoint] = {}
+) -> dict[tuple[int, bool], BranchPoint]:
+    """(dimension, whether shaky) of the branch at each kind of zero -> how it was decided.
+
+    Of `known` kinds one zero is enough. A shaky branch and one that is not may have the same dimension.
+    """
+    found: dict[tuple[int, bool], BranchPoint] = {}
     for kind, points in sorted(groups.items()):
         for q in points[:: max(1, len(points) // CLASSIFIED)][: 1 if kind in known else CLASSIFIED]:
             point = _dimension_at(coarse, fine, q, radius)
-            found.setdefault(point.dimension, point)
+            found.setdefault((point.dimension, point.instantaneous > point.dimension), point)
     return found
 
 

@@ -1,16 +1,17 @@
-"""Small changes of joints: places moved and axes turned, what they do to screws and to the closure.
+"""Small changes of joints: places moved, axes turned, pitches, what they do to screws and to the closure.
 
-    numbers z, three a place and three an axis --changed--> Network
+    numbers z, three a place, three an axis, one a pitch --changed--> Network
     displaced configuration, z --closure_rates, screw_rates--> derivatives of the residual and of the screws
 
 A place moved by d or an axis turned by t about its point p is the joint carried by the small twist xi = (0 ; d) or
 (t ; p x t). Its screws change by the bracket [xi, S]; in a displaced configuration the closure changes by what xi is
-before the joint less what it is after it, carried there by the bodies: (Ad_before - Ad_after) xi.
+before the joint less what it is after it, carried there by the bodies: (Ad_before - Ad_after) xi. A pitch that is
+larger by h adds (0 ; h e) to the screw along e, and Ad_before (0 ; h q e) to the closure after a turn by q.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -21,36 +22,57 @@ from symscrew.mobility.joint_network import Edge, Network
 from symscrew.mobility.screw_systems import Screw
 
 PLACE = -1
-"""Slot of a joint's place; the others are the numbers of its axes."""
+"""Slot of a joint's place; the others are its pitch's, and the numbers of its axes."""
+PITCH = -2
+"""Slot of a screw joint's pitch."""
 Slots = Mapping[str, tuple[int, ...]]
 
 
 def slots_of(network: Network) -> Slots:
-    """Joint -> what is changed of it, three numbers each: its place, its axes."""
+    """Joint -> what is changed of it: its place and its axes, three numbers each, its pitch, one."""
     result = {}
     for name, edge in network.edges.items():
         axes = sorted({motion.axis or 0 for motion, _ in edge.motions if motion.single})
-        result[name] = (PLACE, *axes)
+        pitched = any(motion.helical for motion, _ in edge.motions)
+        result[name] = (PLACE, *axes, *([PITCH] if pitched else []))
     return result
 
 
 def count_of(slots: Slots) -> int:
     """How many numbers z there are."""
-    return sum(3 * len(own) for own in slots.values())
+    return sum(map(_width, _flat(slots)))
+
+
+def numbers_of(slots: Slots, name: str, slot: int) -> slice:
+    """Where among the numbers z those of one slot of a joint are."""
+    before = list(slots)[: list(slots).index(name)]
+    own = slots[name][: slots[name].index(slot)]
+    start = sum(map(_width, (*(s for other in before for s in slots[other]), *own)))
+    return slice(start, start + _width(slot))
+
+
+def _flat(slots: Slots) -> list[int]:
+    return [slot for own in slots.values() for slot in own]
+
+
+def _width(slot: int) -> int:
+    return 1 if slot == PITCH else 3
 
 
 def changed(network: Network, slots: Slots, z: Array) -> Network:
     """The network with its joints changed by z, in 60 digits; axes keep their unit length."""
     edges, start = {}, 0
     for name, edge in network.edges.items():
-        given = {slot: z[start + 3 * i : start + 3 * i + 3] for i, slot in enumerate(slots[name])}
-        start += 3 * len(slots[name])
+        given = {}
+        for slot in slots[name]:
+            given[slot] = z[start : start + _width(slot)]
+            start += _width(slot)
         edges[name] = _changed_edge(edge, given)
     return replace(network, edges=edges)
 
 
 def sizes(before: Network, after: Network) -> tuple[tuple[str, float], ...]:
-    """Joint -> the larger of how far its place has moved and its axes have turned, the largest first."""
+    """Joint -> the largest of what its place has moved, its axes have turned, its pitch has changed; largest first."""
     found = []
     for name, edge in before.edges.items():
         other = after.edges[name]
@@ -60,6 +82,8 @@ def sizes(before: Network, after: Network) -> tuple[tuple[str, float], ...]:
                 part = slice(0, 3) if motion.turns else slice(3, 6)
                 a, b = (e.screws[column - edge.start][part] for e in (edge, other))
                 size = max(size, *(abs(c - d) for c, d in zip(a, b, strict=True)))
+            if motion.helical:
+                size = max(size, abs(edge.pitch(column) - other.pitch(column)))
         found.append((name, float(size)))
     return tuple(sorted(found, key=lambda pair: -pair[1]))
 
@@ -71,6 +95,11 @@ def screw_rates(network: Network, slots: Slots, centre: Array) -> Array:
     for name, edge in network.edges.items():
         point = np.array([float(c) for c in edge.point]) - centre
         for slot in slots[name]:
+            if slot == PITCH:
+                for k in _turning(edge):
+                    result[row, k, 3:] = [float(c) for c in edge.screws[k - edge.start][:3]]
+                row += 1
+                continue
             for xi in _carriers(slot, point):
                 for motion, column in edge.motions:
                     if slot in (PLACE, motion.axis or 0):
@@ -92,6 +121,9 @@ def closure_rates(variety: ClosureVariety, slots: Slots, q: Array) -> Array:
         carried = [_adjoint(*pose) for pose in stations[name]]
         parts = []
         for slot in slots[name]:
+            if slot == PITCH:
+                parts.append(_by_pitch(edge, carried, q))
+                continue
             moved = [k for k, (motion, _) in enumerate(edge.motions) if slot in (PLACE, motion.axis or 0)]
             # a fixed joint moves nothing, wherever it is
             across = sum((carried[k] - carried[k + 1] for k in moved), start=np.zeros_like(carried[0]))
@@ -104,6 +136,21 @@ def closure_rates(variety: ClosureVariety, slots: Slots, q: Array) -> Array:
         parts = [signs[name] * by_joint[name] if name in signs else zero[name] for name in network.edges]
         rows.append(np.concatenate(parts, axis=2))
     return np.concatenate(rows, axis=1)
+
+
+def _by_pitch(edge: Edge, carried: Sequence[Array], q: Array) -> Array:
+    """What a pitch that is larger by one adds to the closure after the turns: N x 6 x 1."""
+    result = np.zeros((len(q), 6, 1))
+    for k, (motion, column) in enumerate(edge.motions):
+        if motion.helical:
+            along = np.array([0.0, 0.0, 0.0, *(float(c) for c in edge.screws[column - edge.start][:3])])
+            result[:, :, 0] += q[:, column, None] * (carried[k] @ along)
+    return result
+
+
+def _turning(edge: Edge) -> list[int]:
+    """Columns of a joint's screw motions."""
+    return [column for motion, column in edge.motions if motion.helical]
 
 
 def about(screw: Screw, centre: Array) -> Array:
@@ -152,7 +199,7 @@ def _changed_edge(edge: Edge, given: Mapping[int, Array]) -> Edge:
         if not motion.turns:
             screws.append((CONTEXT.zero, CONTEXT.zero, CONTEXT.zero, *axis))
             continue
-        pitch = dot((own[0][0], own[0][1], own[0][2]), (own[0][3], own[0][4], own[0][5]))
+        pitch = edge.pitch(column) + (given[PITCH][0] if motion.helical else 0)
         moment = cross(point, axis)
         screws.append((*axis, *(m + pitch * a for m, a in zip(moment, axis, strict=True))))
     return replace(edge, point=point, screws=tuple(tuple(CONTEXT.mpf(c) for c in s) for s in screws))

@@ -8,7 +8,7 @@ self-stresses that remain are g(u). Zeros of g are the configurations that the m
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 
@@ -34,17 +34,21 @@ minimum that is no zero."""
 
 @dataclass(frozen=True)
 class Values:
-    """g, its derivative and the displacement q at each u; `solved` where the other equations have a solution."""
+    """g, its derivative and the displacement q at each u, and that of q; `solved` where the other equations are."""
 
     u: Array
     q: Array
     g: Array
     derivative: Array
+    slope: Array
     solved: Array
 
     def at(self, index: Array) -> Values:
         """The values at some of the points."""
-        return Values(self.u[index], self.q[index], self.g[index], self.derivative[index], self.solved[index])
+        return Values(*(getattr(self, name)[index] for name in VALUES))
+
+
+VALUES = tuple(field.name for field in fields(Values))
 
 
 class ReducedClosure:
@@ -54,7 +58,10 @@ class ReducedClosure:
         self.variety, self.here = variety, here
 
     def evaluate(self, u: Array, guess: Array | None = None) -> Values:
-        """g at the points u, N x dof; `guess` are displacements near the solution."""
+        """g at the points u, N x dof; `guess` are displacements near the solution.
+
+        Newton's last step is taken to first order: its square is far below rounding, and so is what it does to slopes.
+        """
         here = self.here
         q = here.q + u @ here.kernel.T
         if guess is not None:
@@ -67,15 +74,16 @@ class ReducedClosure:
             step = _solve(square, residuals @ here.range_rows.T)
             norm = np.linalg.norm(step, axis=1)
             usable = np.isfinite(norm) & (norm < 2 * size + SOLVED)
-            q = q - np.where(usable[:, None], step, 0.0) @ here.dependent.T
+            last = np.where(usable[:, None], step, 0.0) @ here.dependent.T
+            q = q - last
             solved = usable & (norm < SOLVED)
             if (solved | ~usable).all():
                 break
-        residuals, jacobians = self.variety.evaluate(q)
+        residuals = residuals - (jacobians @ last[..., None])[..., 0]
         left = here.range_rows @ jacobians
         change = -_solve_matrix(left @ here.dependent, left @ here.kernel)
         full = here.kernel + here.dependent @ change
-        return Values(u, q, residuals @ here.stresses.T, here.stresses @ jacobians @ full, solved)
+        return Values(u, q, residuals @ here.stresses.T, here.stresses @ jacobians @ full, full, solved)
 
     def zeros_on_sphere(self, u: Array, radius: float, scale: float, *, guess: Array | None = None) -> Values:
         """Where Levenberg-Marquardt ends from each start u on the sphere |u| = radius; see `is_zero`.
@@ -92,7 +100,8 @@ class ReducedClosure:
             if not len(active):
                 break
             step = _damped_step(gradient[active], error[active], damping[active])
-            trial = self.evaluate(now.u[active] - radius * step, now.q[active])
+            ahead = (now.slope[active] @ step[..., None])[..., 0]
+            trial = self.evaluate(now.u[active] - radius * step, now.q[active] - radius * ahead)
             trial_error, _ = _equations(trial, radius, scale)
             trial_square = np.where(trial.solved, (trial_error * trial_error).sum(axis=1), np.inf)
             better = trial_square < square[active]
@@ -126,12 +135,12 @@ def _damped_step(gradient: Array, error: Array, damping: Array) -> Array:
 
 
 def _replaced(values: Values, index: Array, other: Values, chosen: Array) -> Values:
-    fields = {}
-    for name in ("u", "q", "g", "derivative", "solved"):
+    arrays = []
+    for name in VALUES:
         array = getattr(values, name).copy()
         array[index] = getattr(other, name)[chosen]
-        fields[name] = array
-    return Values(**fields)
+        arrays.append(array)
+    return Values(*arrays)
 
 
 def _solve(matrices: Array, vectors: Array) -> Array:

@@ -74,6 +74,23 @@ def _entry(numbers: ProofNumbers, name: tuple[str, str], held: frozenset[str] = 
     return entry
 
 
+def group_of(numbers: ProofNumbers, screws: Sequence[Screw]) -> Any:
+    """A basis of the Lie algebra that screws generate: each vector has a 1 where the others have a 0."""
+    system = numbers.system
+    if system is None:
+        return WHOLE
+    try:
+        basis = reduced([[numbers.exact(c) for c in s] for s in screws], system.field)[0]
+        while len(basis) < 6:
+            wider = reduced([*basis, *(_bracket(a, b) for a, b in combinations(basis, 2))], system.field)[0]
+            if len(wider) == len(basis):
+                return [[numbers.json(c) for c in vector] for vector in basis]
+            basis = wider
+    except NotDecidableError:  # the numbers grow too long: every group is in that of all displacements
+        pass
+    return WHOLE
+
+
 def accepted(
     numbers: ProofNumbers, name: Sequence[str], entry: dict[str, Any], held: frozenset[str] = frozenset()
 ) -> bool:
@@ -111,24 +128,8 @@ class _Part:
     def groups(self) -> list[Any]:
         """The group of each loop, as the file has it."""
         if self._groups is None:
-            self._groups = [self.group([s for _, s in factors]) for factors in self.block.factors]
+            self._groups = [group_of(self.numbers, [s for _, s in factors]) for factors in self.block.factors]
         return self._groups
-
-    def group(self, screws: Sequence[Screw]) -> Any:
-        """A basis of the Lie algebra that screws generate: each vector has a 1 where the others have a 0."""
-        system = self.numbers.system
-        if system is None:
-            return WHOLE
-        try:
-            basis = reduced([[self.numbers.exact(c) for c in s] for s in screws], system.field)[0]
-            while len(basis) < 6:
-                wider = reduced([*basis, *(_bracket(a, b) for a, b in combinations(basis, 2))], system.field)[0]
-                if len(wider) == len(basis):
-                    return [[self.numbers.json(c) for c in vector] for vector in basis]
-                basis = wider
-        except NotDecidableError:  # the numbers grow too long: every group is in that of all displacements
-            pass
-        return WHOLE
 
     def groups_alone(self) -> Iterator[dict[str, Any]]:
         """Smooth, where the rank is the sum of the dimensions of the loops' groups."""
@@ -152,7 +153,7 @@ class _Part:
             for names in limbs:
                 screws = [screw for name in names for screw in self.numbers.read.joints[name].screws]
                 matrix = [list(row) for row in zip(*screws, strict=True)]
-                group = self.group(screws)
+                group = group_of(self.numbers, screws)
                 minor = rank_entry(self.numbers, matrix)["minor"]
                 size = at_least(self.numbers.read.numbers, matrix, minor)
                 if size != (6 if group == WHOLE else len(group)):

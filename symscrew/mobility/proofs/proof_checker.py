@@ -1010,6 +1010,8 @@ def check_proof(values: Any) -> Verdict:
         name, claims = str(values["mechanism"]["name"]), [(str(c["claim"]), c["value"]) for c in values["claims"]]
         sampled = [(str(c["claim"]), c["value"], str(c["why"])) for c in values["not proved"]]
         texts = tuple(f"{claim} {json.dumps(value)}: {why}" for claim, value, why in sampled)
+        if "ways" in values:
+            texts += ("ways between assembly modes here: way_checker.py judges them",)
         try:
             need(bool(claims), "a file without claims")
             need(values["digest"] == digest(values["mechanism"]), "the description is not the one that was proved")

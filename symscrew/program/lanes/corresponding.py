@@ -11,7 +11,8 @@ from functools import cached_property
 from symscrew.algebra import Origin
 from symscrew.program.equal_limbs import NO_LIMBS, Limb, Limbs
 from symscrew.program.lanes.limb_lanes import LimbLanes, readings_of
-from symscrew.program.lanes.limb_rows import Neighbours, rows_of
+from symscrew.program.lanes.limb_neighbours import Neighbours
+from symscrew.program.lanes.limb_rows import rows_of
 from symscrew.program.lanes.signed_operations import Operand, Operation, Row, signed
 from symscrew.program.straight_line import Instruction
 

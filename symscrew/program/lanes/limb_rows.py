@@ -9,20 +9,19 @@ first, and each new one votes for its own neighbours, so that rows grow from the
 
 from __future__ import annotations
 
-from collections import Counter, defaultdict
+from collections import defaultdict
 from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
 from heapq import heappop, heappush
 from itertools import combinations
 
 from symscrew.program.lanes.limb_lanes import LimbLanes
-from symscrew.program.lanes.signed_operations import PACKED, Operation, Row
+from symscrew.program.lanes.limb_neighbours import LEAF, Neighbours
+from symscrew.program.lanes.signed_operations import Operation, Row
 
 ALONE, AMONG = 4, 2  # what a neighbour counts that is the only one there with its operation, or one of several
 HINT = 1  # what it counts to have the same hint: as much as a shared operand
 MOST_ALIKE = 24  # operations that look alike and are compared; of more, neighbours decide: pairs grow with the square
 CONSTANT, SHARED, UNNAMED = -1, -2, -3  # operands that are not known by their name
-LEAF = "leaf"  # what is there from the start: inputs, sines and cosines
-READ_BY = {op: f"read by {op}" for op in PACKED}
 NOTHING: frozenset[int] = frozenset()
 
 
@@ -32,51 +31,6 @@ def rows_of(operations: Mapping[int, Operation], lanes: LimbLanes, beside: Neigh
     What lies beside what is the same for all readings with the same lanes.
     """
     return _Pairing(operations, lanes, beside or Neighbours(operations, lanes.lane)).rows()
-
-
-class Neighbours:
-    """Operations that a vector unit does and that are in a lane, with what is there for them from the start.
-
-    They are counted through in the order of their slots: slots[number[s]] == s, op[x] and lane[x] are of slots[x],
-    beside[x] its operands and readers in the same lane by operation; `met` are all numbers as the program meets them.
-    """
-
-    def __init__(self, operations: Mapping[int, Operation], of: Mapping[int, int]) -> None:
-        """Those of all operations, `of` which lane slots are."""
-        self.of = of
-        ops: dict[int, str] = {}
-        operands: dict[int, list[int]] = {}
-        for slot, (kind, args) in operations.items():
-            own = of.get(slot)
-            if own is None or kind not in PACKED:
-                continue
-            ops[slot] = kind
-            operands[slot] = below = []
-            for a, _ in args:
-                if type(a) is int and of.get(a) == own and a not in below:
-                    if a not in ops:
-                        if a in operations:
-                            continue
-                        ops[a] = LEAF
-                    below.append(a)
-        self.slots = sorted(ops)
-        self.number = number = {slot: x for x, slot in enumerate(self.slots)}
-        self.met = [number[slot] for slot in ops]
-        self.op = [ops[slot] for slot in self.slots]
-        self.lane = [of[slot] for slot in self.slots]
-        self.beside: list[dict[str, list[int]]] = [{} for _ in ops]
-        for slot, below in operands.items():
-            x, read_by = number[slot], READ_BY[ops[slot]]
-            mine = self.beside[x]
-            for a in below:
-                y = number[a]
-                mine.setdefault(ops[a], []).append(y)
-                self.beside[y].setdefault(read_by, []).append(x)
-
-    def most_whole(self, limbs: int) -> int:
-        """So many rows of one operation have a member in each of so many limbs at most."""
-        found = Counter(zip(self.op, self.lane, strict=True))
-        return sum(min(found[op, k] for k in range(limbs)) for op in {*self.op} - {LEAF})
 
 
 class _Pairing:

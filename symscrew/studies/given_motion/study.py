@@ -15,8 +15,8 @@ import numpy as np
 from symscrew import notebook
 from symscrew.description import Mechanism
 from symscrew.display import Progress
-from symscrew.effects import Effect, ExternalWrench, Gravity
-from symscrew.errors import DescriptionError, did_you_mean
+from symscrew.effects import Effect, ExternalWrench, Gravity, given_effects
+from symscrew.errors import DescriptionError, did_you_mean, expect
 from symscrew.functions import WRENCH_LABELS
 from symscrew.model import Model, derive
 from symscrew.program import Program
@@ -191,6 +191,7 @@ def drives(
         DescriptionError: a motion that the mechanism cannot make, or names that it does not have.
         EvaluationError: a configuration in which a function fails.
     """
+    expect(mechanism, Mechanism)
     shown = progress or Progress(quiet=True)
     if isinstance(motion, WantedMotion):
         wanted = motion
@@ -203,7 +204,7 @@ def drives(
             raise DescriptionError(
                 f"loads: no point {point!r} in {mechanism.name}; {did_you_mean(point, mechanism.points)}"
             )
-    acting = (*effects, *(ExternalWrench(point) for point in wanted.loads))
+    acting = (*given_effects(effects), *(ExternalWrench(point) for point in wanted.loads))
     with shown.step(f"derive {mechanism.name}"):
         model = derive(mechanism, acting)
     if "joint_reactions" not in model.programs:

@@ -19,6 +19,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from decimal import Decimal
+from numbers import Real
 from pathlib import Path
 from typing import Any
 
@@ -28,7 +29,7 @@ import sympy
 from symscrew.algebra import Tape, expression_node
 from symscrew.array_archives import read_archive
 from symscrew.description import Mechanism, check_sections, from_file, parse, read_tables, read_text
-from symscrew.errors import DescriptionError, did_you_mean, in_file, shorten
+from symscrew.errors import DescriptionError, did_you_mean, expect, in_file, shorten
 from symscrew.functions import TWIST_LABELS, WRENCH_LABELS
 from symscrew.program import Function, Port, Program, evaluate, lower
 
@@ -108,6 +109,10 @@ def motion_of(
     Raises:
         DescriptionError: an expression that cannot be read, evaluated or differentiated twice; no duration.
     """
+    for text in texts.values():
+        expect(text, str)
+    for number in (duration, rate):
+        expect(number, Real)
     return _expressed(texts, mechanism, _times(duration, rate), {})
 
 

@@ -11,6 +11,7 @@ import numpy as np
 from symscrew.assembly import configuration_in_mode
 from symscrew.description import Mechanism, check_values_of, exact, followed, in_si
 from symscrew.errors import DescriptionError
+from symscrew.export import tool_name
 from symscrew.kinematics import BODY_PARTS, coordinate_units, full_name, nearest_names
 from symscrew.model import Model
 from symscrew.simulation import derived_model
@@ -31,7 +32,7 @@ WORDS = {"m": "a length [m, mm]", "rad": "an angle [rad, deg]", "1": "a plain nu
 NEEDED = (
     "assemble", "joint_displacements", "drive_rates", "null_space", "platform_jacobian", "forward_kinematics",
     "limb_margins", "constraint_margin", "actuation_margins", "inverse_dynamics", "body_poses", "closure",
-    "closure_jacobian",
+    "closure_jacobian", "joint_points",
 )  # fmt: skip
 
 
@@ -61,7 +62,10 @@ def prepared(key: str, holder: PlanHolder) -> Prepared:
         model.name, model.mechanism, model.effects, wanted, {n: model.test_inputs[n] for n in wanted}, model.system
     )
     begin = configuration_in_mode(model.system, plan.mode, {}, "mode") if plan.mode else None
-    return Prepared(small, independent_labels(model), result_units(model), fastest(small, plan.engine), begin)
+    engine, units = fastest(small, plan.engine), result_units(model)
+    if not start_margins(small, engine.call):  # all are zero in the reference: no margin is a part of one
+        units.pop("margin", None)
+    return Prepared(small, independent_labels(model), units, engine, begin)
 
 
 class PlanHolder:
@@ -92,7 +96,8 @@ def prepare_sweep(plan: Plan) -> Prepared:
     units = coordinate_units(made.model.mechanism)
     named = {axis.name: full_name(made.model.mechanism, axis.name) for axis in plan.axes}
     own = {typed: made.units.get(name, units.get(name, "")) for typed, name in named.items()}
-    return replace(made, units={**own, **made.units})
+    varied = {name: made.model.mechanism.parameters[name].unit for name in plan.parameters}
+    return replace(made, units={**varied, **own, **made.units})
 
 
 def evaluate(plan: Plan, chunk: int) -> dict[str, Array]:
@@ -155,11 +160,14 @@ def check_plan(plan: Plan, model: Model, units: Mapping[str, str] | None = None)
     if plan.mode and not has_own_axes(plan, model):
         own_axes = ", ".join([*labels, *mechanism.parameters])
         raise DescriptionError(f"mode {plan.mode}: a map in a mode is over independent coordinates: {own_axes}")
+    varied = {name: mechanism.parameters[name].unit for name in plan.parameters}
+    asked = {axis.name: units.get(name, known[name]) for axis, name in zip(plan.axes, names, strict=True)}
+    limited = {name: unit for name, unit in {**varied, **asked, **units}.items() if name != "allowed"}
     for name, _, _ in plan.limits:
-        if name not in units:
-            raise DescriptionError(f"--limit: no result {name!r}; {nearest_names(name, units)}")
+        if name not in limited:
+            raise DescriptionError(f"--limit: no result {name!r}; {nearest_names(name, limited)}")
     for option, name, typed in plan.typed:
-        _check_unit(option, name, typed, units.get(name, ""))
+        _check_unit(option, name, typed, limited.get(name, ""))
 
 
 def _check_value(mechanism: Mechanism, name: str, value: float, where: str) -> None:
@@ -251,26 +259,32 @@ def _wanted(plan: Plan, made: Prepared, values: Array, deviations: Array) -> tup
 
 
 def result_units(model: Model) -> dict[str, str]:
-    """Result -> unit."""
-    units: dict[str, str] = {
-        "condition": "1",
-        "stiffness least": "N m",
-        "stiffness largest": "N m",
-        "tilt of platform": "rad",
-    }
+    """Result -> unit, of all that every case has; axes and varied parameters are results as well."""
+    units = {"condition": "1", "stiffness least": "N m", "stiffness largest": "N m"} if _moved_by_drives(model) else {}
     port = model.programs["joint_displacements"].outputs[0]
     units |= dict(zip(port.labels, port.units, strict=True))
     if "forward_kinematics" in model.programs:
         port = model.programs["forward_kinematics"].outputs[0]
-        units |= {f"point {label}": "m" for label in port.labels}
+        units |= {f"point {label}": "m" for label in port.labels if label.rpartition(".")[0] in _moving(model)}
     if "inverse_dynamics" in model.programs:
         port = model.programs["inverse_dynamics"].outputs[0]
         units |= {f"drive {label}": unit for label, unit in zip(port.labels, port.units, strict=True)}
     for kind in ("limb_margins", "constraint_margin", "actuation_margins"):
         if kind in model.programs:
             units |= {f"{kind.split('_')[0]} {n}": "1" for n in model.programs[kind].outputs[0].labels}
-    units |= {name: p.unit for name, p in model.mechanism.parameters.items()}
-    return units | {"reached": "1", "regular": "1", "allowed": "1", "status": "1", TILT: "rad", AZIMUTH: "rad"}
+            units["margin"] = "1"
+    return units | {"reached": "1", "regular": "1", "allowed": "1", "status": "1"}
+
+
+def _moved_by_drives(model: Model) -> bool:
+    """Whether there is a platform whose motion the drives determine, so that it has a condition and a stiffness."""
+    named = model.mechanism.platform is not None and "platform_jacobian" in model.programs
+    return named and bool(model.system.drives)
+
+
+def _moving(model: Model) -> set[str]:
+    """Points of the description that move."""
+    return {name for name, p in model.mechanism.points.items() if p.body != model.mechanism.ground}
 
 
 def _kinematics(model: Model, call: Call, q: Array, extra: tuple[Array, ...]) -> dict[str, Array]:
@@ -281,7 +295,7 @@ def _kinematics(model: Model, call: Call, q: Array, extra: tuple[Array, ...]) ->
     if "forward_kinematics" in model.programs:
         port = model.programs["forward_kinematics"].outputs[0]
         places = call("forward_kinematics", q, *extra)[0][0]
-        moving = {n for n, p in model.mechanism.points.items() if p.body != model.mechanism.ground}
+        moving = _moving(model)
         results |= {
             f"point {label}": places[:, k] for k, label in enumerate(port.labels) if label.rpartition(".")[0] in moving
         }
@@ -302,15 +316,15 @@ def _statics(model: Model, call: Call, q: Array, extra: tuple[Array, ...]) -> di
 def _quality(model: Model, call: Call, q: Array, extra: tuple[Array, ...], *, stiffness: float) -> dict[str, Array]:
     """Condition number and stiffness of the platform's motion, with lengths divided by the characteristic length.
 
-    With an orthonormal basis Q of the platform's twists (omega ; v/L), drives turn or slide at M y where M = A R^-1:
+    Twists are those at the platform's tool: at O they would depend on where the mechanism stands in the world. With an
+    orthonormal basis Q of the platform's twists (omega ; v/L), drives turn or slide at M y where M = A R^-1:
     A takes independent rates to drive rates, (omega ; v/L) = Q R of them. The condition number is that of M with
     sliding drives divided by L, infinite where R is singular; the stiffness K = M^T diag(k) M has as eigenvalues the
     least and largest stiffness [N m] against a unit of such a twist.
     """
-    system = model.system
-    platform = model.mechanism.platform
-    if not system.drives or platform is None or "platform_jacobian" not in model.programs:
+    if not _moved_by_drives(model):
         return {}
+    system = model.system
     count, nv = len(q), len(system.tree.v)
     null = _matrix(call, "null_space", (q, *extra), nv) if "null_space" in model.programs else None
     basis = np.repeat(np.eye(nv)[None], count, 0) if null is None else null
@@ -320,6 +334,7 @@ def _quality(model: Model, call: Call, q: Array, extra: tuple[Array, ...], *, st
     )
     twists = _matrix(call, "platform_jacobian", (q, *extra), 6) @ basis
     length = system.length
+    twists[:, 3:] += np.cross(twists[:, :3], _tool(model, call, q, extra)[:, :, None], axis=1)
     twists[:, 3:] /= length
     slides = np.array([unit == "m/s" for unit in model.programs["drive_rates"].outputs[0].units])
     good = np.isfinite(twists).all(axis=(1, 2)) & np.isfinite(drives).all(axis=(1, 2))
@@ -338,6 +353,17 @@ def _quality(model: Model, call: Call, q: Array, extra: tuple[Array, ...], *, st
             stiff = np.linalg.svd(M * np.sqrt(np.where(slides, 1.0, length**2) * stiffness)[:, None], compute_uv=False)
             least[place], largest[place] = stiff[:, -1] ** 2, stiff[:, 0] ** 2
     return {"condition": condition, "stiffness least": least, "stiffness largest": largest}
+
+
+def _tool(model: Model, call: Call, q: Array, extra: tuple[Array, ...]) -> Array:
+    """Where the platform's tool is (cases, 3) [m]: its point of that name, else the middle of its joints' points."""
+    name, mechanism = tool_name(model), model.mechanism
+    if name is not None:
+        labels = list(model.programs["forward_kinematics"].outputs[0].labels)
+        at = call("forward_kinematics", q, *extra)[0][0]
+        return np.asarray(at[:, [labels.index(f"{name}.{axis}") for axis in "xyz"]])
+    own = [k for k, j in enumerate(mechanism.joints.values()) if mechanism.platform in (j.parent, j.child)]
+    return np.asarray(_matrix(call, "joint_points", (q, *extra), 3)[:, :, own].mean(axis=2))
 
 
 def _matrix(call: Call, name: str, inputs: tuple[Array, ...], rows: int) -> Array:

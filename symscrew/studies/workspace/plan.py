@@ -156,7 +156,7 @@ def read_limit(text: str) -> tuple[tuple[str, float, float], str]:
     (('limb1_P', -0.005, inf), 'm')
 
     Raises:
-        DescriptionError: it is typed otherwise, or with two units.
+        DescriptionError: it is typed otherwise, with two units, or has nothing between its ends.
     """
     name, equals, rest = text.partition("=")
     low, colon, high = rest.partition(":")
@@ -168,4 +168,6 @@ def read_limit(text: str) -> tuple[tuple[str, float, float], str]:
     most, other = read_quantity(high, "--limit") if high.strip() else (math.inf, "")
     if one != other and least and most and math.isfinite(most - least):  # a zero needs no unit
         raise DescriptionError(f"--limit: expected both ends in one unit, such as -5mm:5mm, got {shorten(text)}")
+    if least > most:
+        raise DescriptionError(f"--limit: expected the least first, nothing is between these, got {shorten(text)}")
     return (name.strip(), least, most), one or other

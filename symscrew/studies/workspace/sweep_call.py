@@ -14,8 +14,8 @@ import numpy as np
 
 from symscrew import notebook
 from symscrew.description import Mechanism
-from symscrew.effects import Effect, Gravity
-from symscrew.errors import DescriptionError, did_you_mean
+from symscrew.effects import Effect, Gravity, given_effects
+from symscrew.errors import DescriptionError, did_you_mean, expect
 from symscrew.studies.workspace.engine import run_locally
 from symscrew.studies.workspace.evaluation import check_drawn, prepare_sweep
 from symscrew.studies.workspace.map_summary import sweep_summary, sweep_summary_text
@@ -95,6 +95,9 @@ def workspace(
     Raises:
         DescriptionError: axes, tolerances or limits that the mechanism does not have, an engine that is not here.
     """
+    expect(mechanism, Mechanism)
+    for named in (over, limits or {}, tolerances or {}):
+        expect(named, Mapping)
     axes = tuple(read_axis(f"{name}={values}") for name, values in over.items())
     quantities = {name: read_quantity(value, f"tolerance of {name}") for name, value in (tolerances or {}).items()}
     spread = tuple((name, value) for name, (value, _) in quantities.items())
@@ -105,7 +108,7 @@ def workspace(
     inputs = {n: replace(p, run_time=p.run_time or n in varied) for n, p in mechanism.parameters.items()}
     plan = Plan(
         replace(mechanism, parameters=inputs) if varied else mechanism,
-        tuple(effects),
+        given_effects(effects),
         axes,
         tolerances=spread,
         samples=samples if spread else 1,

@@ -1,0 +1,156 @@
+"""Numerical decomposition against components that exact algebra proves, and against hand-typed polynomials."""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from support.further_mechanisms import CASES
+from support.marks import slow
+from support.parallel_mechanisms import snu
+from support.reference_mechanisms import ENTRIES, build
+
+from symscrew.cli.parser import main
+from symscrew.description.mechanism import Mechanism
+from symscrew.mobility.components import NumericalSpace, numerical_components, numerical_lines
+from symscrew.mobility.components.certified_points import refined
+from symscrew.mobility.components.many_points import ManyPoints
+from symscrew.mobility.components.moving_sections import Section, SquareSystem, complex_numbers, moved_points
+from symscrew.mobility.components.polynomials import Polynomial
+from symscrew.mobility.components.witness_sets import bend, completed_sets
+from symscrew.mobility.joint_network import network_of
+
+FINE = 1e-40  # of 60 digits: incomplete sets have 1e-2
+
+
+def mechanism(name: str) -> Mechanism:
+    return snu() if name == "snu" else build(ENTRIES[name]) if name in ENTRIES else CASES[name].make()
+
+
+def decomposed(name: str, seconds: float = 60.0) -> NumericalSpace:
+    found = numerical_components(mechanism(name), network_of(mechanism(name)), seconds)
+    assert not isinstance(found, str), found
+    (space,) = found
+    return space
+
+
+@pytest.mark.parametrize(
+    "name, sizes, through",
+    [
+        # proved by exact algebra: tests/tools/test_operation_modes.py has the same sizes, and the sources
+        ("planar_4bar", [(1, 6)], 1),
+        ("parallelogram-change_point", [(1, 2), (1, 4)], 2),  # singular there: points come to it
+        ("bennett", [(1, 2)], 1),
+        ("planar_5bar", [(2, 14)], 1),
+        slow("kinematotropic_double_fold-transition", [(2, 4), (1, 4), (1, 4)], 2),
+        slow("sarrus-flat_folded", [(2, 1), (1, 4), (1, 4)], 2),
+        slow("3rps", [(3, 7), (3, 7)], 1),
+        slow("double_hooke", [(1, 12)], 1),
+        slow("double_watt_cusp", [(1, 52)], 1),  # the reference is the cusp
+        slow("3-PRS", [(3, 8)], 1),
+        slow("miura folded", [(2, 1), (2, 1), (1, 2), (1, 2), (1, 3), (1, 3), (1, 3), (1, 3), (1, 4)], 1),
+        # not divided by exact algebra: four quadrics, of which the plane x = 0 is no pose, have 15 (as of the 3-UPU of
+        # Seoul: Walter, Husty and Pfurner 2009)
+        slow("3upu_tsai", [(3, 1), (3, 1), (3, 1), (3, 1), (3, 11)], 1),
+        slow("schatz_turbula", [(1, 12)], 1),
+        slow("planar_3rrr", [(3, 106)], 1),
+    ],
+)
+def test_sizes_are_those_of_exact_algebra(name: str, sizes: list[tuple[int, int]], through: int) -> None:
+    found = decomposed(name)
+    parts = found.components
+    assert [(p.dimension, p.degree) for p in parts] == sizes and found.closed and not found.reason
+    assert sum(bool(p.through) for p in parts) == through and None not in [p.through for p in parts]
+    assert all(p.certified == p.degree and p.fine and p.trace < FINE and p.residual < FINE for p in parts)
+    assert all(p.loops and p.on for p in parts) and sum(p.on for p in parts) + found.unplaced == found.found
+
+
+def of(*terms: dict[tuple[int, ...], int]) -> list[Polynomial]:
+    return [Polynomial({key: Fraction(c) for key, c in each.items()}) for each in terms]
+
+
+def test_what_is_of_several_components_stays_apart() -> None:
+    """A conic and a cubic, one product of degree 5: seeds on both, and no loop leads from one to the other."""
+    conic, cubic = of({(2, 0): 1, (0, 2): 2, (0, 0): -1}, {(3, 0): 1, (0, 2): -1, (1, 0): 1, (0, 0): 3})
+    system = SquareSystem.of(ManyPoints.of([conic * cubic], np.ones(2)), 1, np.random.default_rng(1))
+    random = np.random.default_rng(2)
+    seeds = np.array([[1.0, 0.0], [0.0, np.sqrt(3)]])
+    matrix = complex_numbers(random, 2, 1, 2)
+    start = Section(matrix, np.einsum("pij,pj->pi", matrix, seeds))
+    section = Section(complex_numbers(random, 1, 2), complex_numbers(random, 1))
+    points, come = moved_points(system, seeds, (start, section), lambda: False)
+    never = (lambda: False, lambda: False)
+    sets = completed_sets(system, section, points, never, random=random)
+    assert come.all() and [(len(s.points), s.closed, s.seeds) for s in sets] == [(2, True, (0,)), (3, True, (1,))]
+    assert all(s.sure and s.trace < 1e-10 for s in sets)
+    assert np.linalg.norm(np.einsum("ij,pj->pi", section.matrix, points) - section.right) < 1e-9
+    for s in sets:  # the sum of some points alone is not linear
+        assert s.beside is not None and bend(s.points[:-1], (s.beside[0][:-1], s.beside[1][:-1])) > 1e-4
+
+
+def test_a_ball_has_the_zero_and_a_double_zero_has_none() -> None:
+    """sqrt(2) is within the ball about what doubles know of it; of (x - 1)^2 no zero is proved."""
+    nothing = Section(np.zeros((0, 1), dtype=complex), np.zeros(0, dtype=complex))
+    for terms, at, proved in (
+        ({(2,): 1, (0,): -2}, 1.4142, True), ({(2,): 1, (1,): -2, (0,): 1}, 1.001, False),
+    ):  # fmt: skip
+        system = SquareSystem.of(ManyPoints.of(of(terms), np.ones(1)), 0, np.random.default_rng(1))
+        found = refined(system, nothing, np.array([[at + 0j]]))
+        assert np.isfinite(found.radii).all() == proved == bool(found.certified)
+        if proved:
+            root, radius = int(found.points[0][0, 0]), int(found.radii[0] * 2.0**240)  # integers over 2^240
+            assert (root - radius) ** 2 < 2 << 480 < (root + radius) ** 2 and found.radii[0] < 1e-50
+
+
+def test_the_same_zero_twice_is_certified_once_at_most() -> None:
+    nothing = Section(np.zeros((0, 1), dtype=complex), np.zeros(0, dtype=complex))
+    system = SquareSystem.of(ManyPoints.of(of({(2,): 1, (0,): -2}), np.ones(1)), 0, np.random.default_rng(1))
+    assert refined(system, nothing, np.array([[1.4142 + 0j], [1.4143 + 0j]])).certified < 2
+    assert refined(system, nothing, np.array([[1.4142 + 0j], [-1.4143 + 0j]])).certified == 2
+
+
+def test_values_in_digits_and_doubles_are_of_the_same_polynomials() -> None:
+    random = np.random.default_rng(3)
+    given = of({(3, 1): 2, (0, 2): -5, (0, 0): 7}, {(1, 1): 1, (2, 0): 3})
+    made = ManyPoints.of(given, np.array([2.0, 0.25]))
+    z = complex_numbers(random, 4, 2)
+    values, slopes = made.at(z)
+    true = np.array([2 * (2 * z[:, 0]) ** 3 * (z[:, 1] / 4) - 5 * (z[:, 1] / 4) ** 2 + 7,
+                     (2 * z[:, 0]) * (z[:, 1] / 4) + 3 * (2 * z[:, 0]) ** 2]).T  # fmt: skip
+    ratio = values / true  # a power of two for each
+    assert np.allclose(ratio, ratio[0]) and np.allclose(np.log2(ratio[0].real) % 1, 0)
+    small = 1e-6
+    for k in range(2):
+        beside = z + small * np.eye(2)[k]
+        assert np.allclose((made.at(beside)[0] - values) / small, slopes[:, :, k], atol=1e-4)
+    to_integer = np.frompyfunc(lambda v: int(v * 2.0**60) << 180, 1, 1)
+    real, _ = made.in_digits(to_integer(z.real), to_integer(z.imag))
+    assert np.allclose([[float(v) / 2.0**240 for v in row] for row in real], values.T.real)
+    assert (made.sizes_at(z)[0] >= np.abs(values)).all() and (made.sizes_at(z)[1] >= np.abs(slopes)).all()
+
+
+def test_without_time_nothing_is_claimed() -> None:
+    found = decomposed("planar_5bar", 0.0)
+    assert not found.closed and "not all points were found within 0 s" in found.reason
+    assert all(not p.certified and not p.loops for p in found.components)
+    assert "not all points were found" in numerical_lines([found])[0]
+
+
+def test_singular_configurations_are_on_none() -> None:
+    """Three ball joints on one line: they stay there, where distances are largest, and equations have no rank."""
+    made = mechanism("3S, collinear")
+    assert "whose place doubles tell" in str(numerical_components(made, network_of(made)))
+
+
+@pytest.mark.slow
+def test_in_words_and_json(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("symscrew.mobility.components.exact_parts.algebra_answer", lambda *_: None)
+    assert main(["mobility", "five_bar", "--components", "--json"]) == 0
+    values = json.loads(capsys.readouterr().out)["components"]
+    assert not values["decided"] and [c["degree"] for c in values["numerical"][0]["components"]] == [14]
+    assert values["numerical"][0]["judgement"] == "numerical"
+    assert main(["mobility", "five_bar", "--components"]) == 0
+    text = capsys.readouterr().out
+    assert "numerical: 1 component" in text and "degree 14" in text and "certified (Krawczyk)" in text
