@@ -130,7 +130,7 @@ def test_legs_that_cannot_save_as_much_as_others_are_not_looked_through() -> Non
     """Of two legs stages save one operation a row, of all four three: rows of two are too few, whatever they are."""
     found = families((0, 1), (0, 1, 2, 3))
     two, four = (next(r for r in found.readings(8) if len(r.family) == n) for n in (2, 4))
-    stages = stages_of_limbs(found, [], {})
+    stages = stages_of_limbs(found, [], {}, {})
     assert stages is not None and len(stages.limbs) == 4
     assert "rows" in four.__dict__ and "rows" not in two.__dict__
     assert 0 < len(two.whole) <= two.most < 3 * len(four.whole) <= 3 * four.most
@@ -138,7 +138,7 @@ def test_legs_that_cannot_save_as_much_as_others_are_not_looked_through() -> Non
 
 @pytest.mark.parametrize("chosen", [((0, 1, 2, 3), (3, 2, 1, 0)), ((3, 2, 1, 0), (0, 1, 2, 3))])
 def test_of_families_that_save_the_same_the_first_is_taken(chosen: tuple[tuple[int, ...], ...]) -> None:
-    stages = stages_of_limbs(families(*chosen), [], {})
+    stages = stages_of_limbs(families(*chosen), [], {}, {})
     assert stages is not None
     assert [limb.name for limb in stages.limbs] == [f"leg{k}" for k in chosen[0]]
 
