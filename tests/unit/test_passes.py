@@ -129,3 +129,23 @@ def test_random_sums_of_products_keep_their_values(seed: int) -> None:
     (got,), _ = evaluate(nested(roots, inputs), [states])
     expected = np.column_stack([tape.sample(root) for root in roots])
     np.testing.assert_allclose(got, expected, rtol=1e-9, atol=1e-9 * np.abs(expected).max())
+
+
+def test_the_negative_of_what_has_a_difference_takes_no_operation() -> None:
+    """-(x (y - z) + u) is x (z - y) - u, and so with a constant; of what something else reads it is one more."""
+    tape = Tape()
+    x, y, z, u = (tape.symbol(name, "1", "input") for name in "xyzu")
+    states = np.random.default_rng(9).normal(size=(9, 4))
+    a, b, c, d = states.T
+    product = x * (y - z)
+    cases = (
+        ([-(product + u)], (-(a * (b - c) + d),), ["mul", "sub", "sub"]),
+        ([-(0.5 * (x * y) + u)], (-(a * b / 2 + d),), ["mul", "mul", "sub"]),
+        ([-(product + u), product], (-(a * (b - c) + d), a * (b - c)), ["add", "mul", "neg", "sub"]),
+        ([-(x * y + u)], (-(a * b + d),), ["add", "mul", "neg"]),
+    )
+    for roots, values, expected in cases:
+        program = nested(roots, (x, y, z, u))
+        (got,), _ = evaluate(program, [states])
+        np.testing.assert_allclose(got, np.column_stack(values), rtol=1e-13, atol=1e-15)
+        assert operations(program) == expected
