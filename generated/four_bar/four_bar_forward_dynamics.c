@@ -110,14 +110,14 @@ BODY(four_bar_forward_dynamics_independent)(size_t stride, const double *restric
     const REAL t50 = READ(u, 0) + (k14 * crank_sin + (minus_coupler_rate_mz_2 + t47)),
       minus_B_null_space_by_A = 2.0 * t35, t51 = minus_B_null_space_by_A * minus_coupler_rate_mz_2 - t50,
       t55 = coupler_com_x * t35, /* B */
-      minus_A_reduced_force = D_null_space_by_A * (gravity_z_rocker_mx * minus_rocker_sin - t32) + t51,
+      A_reduced_force = (t32 - gravity_z_rocker_mx * minus_rocker_sin) * D_null_space_by_A - t51,
       A_mass_matrix_by_B = coupler_sxx + k13 * coupler_cos,
       t58 = minus_B_null_space_by_A * (A_mass_matrix_by_B + (A_mass_matrix_by_B - t55)),
       A_reduced_inertia_by_A = D_null_space_by_A * (rocker_sxx * D_null_space_by_A) - (t58 - (k9 * coupler_cos + k12));
     REAL checked1 = A_reduced_inertia_by_A;
-    const REAL minus_A_joint_acc = minus_A_reduced_force / A_reduced_inertia_by_A;
-    REAL checked2 = minus_A_joint_acc;
-    WRITE(y_ddot, 0, -minus_A_joint_acc);
+    const REAL A_joint_acc = A_reduced_force * (1.0 / A_reduced_inertia_by_A);
+    WRITE(y_ddot, 0, A_joint_acc);
+    REAL checked2 = A_joint_acc;
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
         SMALL(minus_C_closure_fx_by_D, 3.01689e-10) OR /* where D does not move the loop at C */
         SMALL(A_reduced_inertia_by_A, 3.2646e-11), /* where A feels no inertia */
@@ -301,37 +301,34 @@ BODY(four_bar_forward_dynamics_dense)(size_t stride, const double *restrict q, c
     const REAL coupler_sin = SINES(sine, 1), crank_lever_mz_by_C_fx = B_at_z * coupler_sin;
     WRITE(closure_, 0, crank_lever_mz_by_C_fx);
     REAL checked0 = crank_lever_mz_by_C_fx;
-    const REAL D_v = READ(v, 2), t21 = k6 * (D_v * D_v), /* rocker */
-      rocker_cos = SINES(cosine, 2), t22 = rocker_cos * t21, /* rocker */
-      minus_rocker_sin = SINES(sine, 2), t24 = minus_rocker_sin * t21, /* rocker */
-      crank_cos = SINES(cosine, 0), crank_sin = SINES(sine, 0);
+    /* rocker: geometry; momentum rate, eq. (35); loop closure */
+    const REAL minus_rocker_sin = SINES(sine, 2), minus_rocker_rate_mz = (-gravity_z_rocker_mx) * minus_rocker_sin;
+    WRITE(load_, 2, minus_rocker_rate_mz);
+    REAL checked1 = minus_rocker_rate_mz;
+    const REAL D_v = READ(v, 2), t21 = k6 * (D_v * D_v), rocker_cos = SINES(cosine, 2), t22 = rocker_cos * t21,
+      t24 = minus_rocker_sin * t21, crank_cos = SINES(cosine, 0), crank_sin = SINES(sine, 0);
     /* C: loop closure */
     const REAL t30 = crank_cos * t22 - crank_sin * t24, t26 = crank_sin * t22 + crank_cos * t24, A_v = READ(v, 0),
       t4 = B_at_z * (A_v * A_v), /* crank */
       t31 = t4 - t30, coupler_cos = SINES(cosine, 1), t32 = coupler_cos * t31,
       C_opening_bias_fy = coupler_sin * t31 - coupler_cos * t26;
     WRITE(curvature_, 1, C_opening_bias_fy);
-    REAL checked1 = C_opening_bias_fy;
+    REAL checked2 = C_opening_bias_fy;
     const REAL t33 = coupler_sin * t26 + t32, coupler_omega_z = A_v + READ(v, 1),
       minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z,
-      minus_C_opening_bias_fx = 0.5 * minus_coupler_U_still_xx + t33;
-    REAL checked2 = minus_C_opening_bias_fx;
-    WRITE(curvature_, 0, -minus_C_opening_bias_fx);
+      C_opening_bias_fx = (-0.5) * minus_coupler_U_still_xx - t33;
+    WRITE(curvature_, 0, C_opening_bias_fx);
+    REAL checked3 = C_opening_bias_fx;
     const REAL t8 = B_at_z * (coupler_sin * (k11 * minus_coupler_U_still_xx)), /* crank */
       minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos,
       minus_rocker_joint_force_my_by_C_fz = k6 * rocker_cos,
       t18 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz,
       coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin,
       t17 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz,
-      minus_rocker_joint_force_mx_by_C_fz = k6 * minus_rocker_sin,
-      C_closure_fy_by_D = t18 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz;
-    WRITE(closure_, 11, C_closure_fy_by_D);
-    REAL checked3 = C_closure_fy_by_D;
-    RESULT(checked0, closure_, 10, minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz - t17);
-    RESULT(checked1, closure_, 1, 0.5 + B_at_z * coupler_cos);
-    const REAL rocker_rate_mz = gravity_z_rocker_mx * minus_rocker_sin;
-    checked2 = checked2 + rocker_rate_mz;
-    WRITE(load_, 2, -rocker_rate_mz);
+      minus_rocker_joint_force_mx_by_C_fz = k6 * minus_rocker_sin;
+    RESULT(checked0, closure_, 11, t18 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz);
+    RESULT(checked1, closure_, 10, minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz - t17);
+    RESULT(checked2, closure_, 1, 0.5 + B_at_z * coupler_cos);
     const REAL coupler_acc_still_y = coupler_sin * (t4 - gravity_z * crank_cos) - coupler_cos * (gravity_z * crank_sin),
       coupler_rate_mz = k11 * coupler_acc_still_y;
     WRITE(load_, 1, -coupler_rate_mz);
@@ -461,10 +458,17 @@ BODY(four_bar_forward_dynamics_reactions_wrenches)(size_t stride, const double *
     WRITE(sized_, 2, C_joint_reaction_fz);
     WRITE(sized_, 8, C_joint_reaction_fz);
     WRITE(sized_, 14, C_joint_reaction_fz);
+    /* mechanism: balance, eqs. (40)-(47); results */
     const REAL multipliers_0 = READ(multipliers_, 0);
     WRITE(sized_, 12, -multipliers_0);
     const REAL multipliers_1 = READ(multipliers_, 1);
     WRITE(sized_, 13, -multipliers_1);
+    const REAL multipliers_3 = READ(multipliers_, 3), sized_15 = (-per_length) * multipliers_3;
+    WRITE(sized_, 15, sized_15);
+    REAL checked1 = sized_15;
+    const REAL multipliers_4 = READ(multipliers_, 4), sized_16 = (-per_length) * multipliers_4;
+    WRITE(sized_, 16, sized_16);
+    REAL checked2 = sized_16;
     const REAL A_v = READ(v, 0), minus_crank_U_still_xx = A_v * A_v, crank_cos = SINES(cosine, 0),
       t2 = crank_mx * minus_crank_U_still_xx, /* crank */
       t5 = B_at_z * minus_crank_U_still_xx - gravity_z * crank_cos; /* crank */
@@ -481,108 +485,91 @@ BODY(four_bar_forward_dynamics_reactions_wrenches)(size_t stride, const double *
       minus_coupler_joint_sent_fy = t19 - coupler_cos * coupler_sent_fy;
     WRITE(sized_, 6, -minus_coupler_joint_sent_fx);
     WRITE(sized_, 7, -minus_coupler_joint_sent_fy);
-    /* crank: balance, eqs. (40)-(47); results */
+    /* crank: balance, eqs. (40)-(47) */
     const REAL crank_sent_fx = crank_m_gravity_z * crank_cos - t2 - minus_coupler_joint_sent_fx,
       t16 = crank_sin * crank_sent_fx, t22 = crank_cos * crank_sent_fx,
       minus_crank_sent_fy = crank_m_gravity_z * crank_sin - crank_mx * A_a + minus_coupler_joint_sent_fy,
       crank_joint_sent_fy = t16 - crank_cos * minus_crank_sent_fy;
     WRITE(reactions, 0, crank_joint_sent_fy);
     WRITE(sized_, 1, crank_joint_sent_fy);
-    REAL checked1 = crank_joint_sent_fy;
+    REAL checked3 = crank_joint_sent_fy;
     const REAL crank_joint_sent_fx = t22 + crank_sin * minus_crank_sent_fy;
     WRITE(reactions, 2, crank_joint_sent_fx);
     WRITE(sized_, 0, crank_joint_sent_fx);
-    REAL checked2 = crank_joint_sent_fx;
-    const REAL multipliers_4 = READ(multipliers_, 4), minus_coupler_sent_my = multipliers_4 - 0.5 * multipliers_2,
-      multipliers_3 = READ(multipliers_, 3), t29 = coupler_cos * minus_coupler_sent_my, /* coupler */
+    checked0 = checked0 + crank_joint_sent_fx;
+    const REAL minus_coupler_sent_my = multipliers_4 - 0.5 * multipliers_2,
+      t29 = coupler_cos * minus_coupler_sent_my, /* coupler */
       t26 = coupler_sin * minus_coupler_sent_my, /* coupler */
       t28 = coupler_sin * multipliers_3, /* coupler */
-      minus_coupler_joint_sent_my = t28 + t29,
-      minus_crank_sent_my = minus_coupler_joint_sent_my - B_at_z * multipliers_2,
+      minus_coupler_joint_sent_my = t28 + t29;
+    RESULT(checked1, sized_, 10, (-per_length) * minus_coupler_joint_sent_my);
+    const REAL minus_crank_sent_my = minus_coupler_joint_sent_my - B_at_z * multipliers_2,
       t31 = crank_cos * minus_crank_sent_my, t33 = crank_sin * minus_crank_sent_my,
       t24 = coupler_cos * multipliers_3, /* coupler */
-      minus_coupler_joint_sent_mx = t24 - t26, t27 = crank_sin * minus_coupler_joint_sent_mx,
-      minus_crank_joint_sent_my = t27 + t31;
+      minus_coupler_joint_sent_mx = t24 - t26;
+    RESULT(checked2, sized_, 9, (-per_length) * minus_coupler_joint_sent_mx);
+    const REAL t27 = crank_sin * minus_coupler_joint_sent_mx, minus_crank_joint_sent_my = t27 + t31;
     WRITE(reactions, 3, -minus_crank_joint_sent_my);
-    const REAL t108 = per_length * minus_crank_joint_sent_my;
-    REAL checked3 = t108;
-    WRITE(sized_, 4, -t108);
+    RESULT(checked3, sized_, 4, (-per_length) * minus_crank_joint_sent_my);
     const REAL t32 = crank_cos * minus_coupler_joint_sent_mx, minus_crank_joint_sent_mx = t32 - t33;
     WRITE(reactions, 5, -minus_crank_joint_sent_mx);
-    const REAL t107 = per_length * minus_crank_joint_sent_mx;
-    checked0 = checked0 + t107;
-    WRITE(sized_, 3, -t107);
-    const REAL t109 = per_length * minus_coupler_joint_sent_mx; /* coupler */
-    checked1 = checked1 + t109; /* coupler */
-    WRITE(sized_, 9, -t109);
+    RESULT(checked0, sized_, 3, (-per_length) * minus_crank_joint_sent_mx);
     /* B: reactions, eq. (32) */
     const REAL t37 = crank_cos * minus_coupler_joint_sent_fx,
       t36 = crank_sin * minus_coupler_joint_sent_fx + crank_cos * minus_coupler_joint_sent_fy;
     WRITE(reactions, 6, -t36);
     const REAL t39 = t37 - crank_sin * minus_coupler_joint_sent_fy;
     WRITE(reactions, 8, -t39);
-    const REAL t42 = t27 + crank_cos * minus_coupler_joint_sent_my, coupler_position_z = B_at_z * crank_cos,
+    const REAL t42 = t27 + crank_cos * minus_coupler_joint_sent_my,
+      t46 = crank_sin * minus_coupler_joint_sent_my - t32, coupler_position_z = B_at_z * crank_cos,
       t44 = coupler_position_z * t36;
-    RESULT(checked2, reactions, 9, coupler_position_z * multipliers_2 - t42);
+    RESULT(checked1, reactions, 9, coupler_position_z * multipliers_2 - t42);
     const REAL coupler_position_x = B_at_z * crank_sin;
-    RESULT(checked3, reactions, 10, coupler_position_x * t39 - t44);
-    const REAL t46 = t32 - crank_sin * minus_coupler_joint_sent_my,
-      t110 = per_length * minus_coupler_joint_sent_my; /* coupler */
-    checked0 = checked0 + t110; /* coupler */
-    WRITE(sized_, 10, -t110);
-    const REAL t48 = t46 + coupler_position_x * multipliers_2;
-    checked1 = checked1 + t48;
-    WRITE(reactions, 11, -t48);
+    RESULT(checked2, reactions, 10, coupler_position_x * t39 - t44);
+    RESULT(checked3, reactions, 11, t46 - coupler_position_x * multipliers_2);
     const REAL coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin;
     /* C: reactions, eq. (32) */
-    const REAL t51 = coupler_rotation_xx * multipliers_0,
+    const REAL t50 = coupler_rotation_xx * multipliers_0,
       minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos,
-      t55 = t51 - minus_coupler_rotation_xy * multipliers_1;
-    WRITE(reactions, 12, -t55);
-    const REAL t59 = coupler_position_z - 0.5 * minus_coupler_rotation_xy, /* coupler */
-      t64 = t59 * t55, t60 = t59 * multipliers_2;
-    RESULT(checked2, reactions, 15, t60 - (coupler_rotation_xx * multipliers_3 - minus_coupler_rotation_xy * multipliers_4));
-    const REAL t66 = coupler_position_x + 0.5 * coupler_rotation_xx, /* coupler */
-      t69 = minus_coupler_rotation_xy * multipliers_3,
+      t54 = t50 - minus_coupler_rotation_xy * multipliers_1;
+    WRITE(reactions, 12, -t54);
+    const REAL t58 = coupler_position_z - 0.5 * minus_coupler_rotation_xy, /* coupler */
+      t63 = t58 * t54, t59 = t58 * multipliers_2;
+    RESULT(checked0, reactions, 15, t59 - (coupler_rotation_xx * multipliers_3 - minus_coupler_rotation_xy * multipliers_4));
+    const REAL t65 = coupler_position_x + 0.5 * coupler_rotation_xx, /* coupler */
+      t68 = minus_coupler_rotation_xy * multipliers_3,
       C_reactions_fz = minus_coupler_rotation_xy * multipliers_0 + coupler_rotation_xx * multipliers_1;
     WRITE(reactions, 14, C_reactions_fz);
-    const REAL t68 = t64 + t66 * C_reactions_fz;
-    checked3 = checked3 + t68;
-    WRITE(reactions, 16, -t68);
-    RESULT(checked0, reactions, 17, t69 + coupler_rotation_xx * multipliers_4 - t66 * multipliers_2);
+    const REAL t67 = t63 + t65 * C_reactions_fz;
+    checked1 = checked1 + t67;
+    WRITE(reactions, 16, -t67);
+    RESULT(checked2, reactions, 17, t68 + coupler_rotation_xx * multipliers_4 - t65 * multipliers_2);
     const REAL D_v = READ(v, 2);
     /* rocker: geometry; momentum rate, eq. (35) */
     const REAL rocker_cos = SINES(cosine, 2),
       minus_rocker_rate_fx_2 = rocker_mx * (D_v * D_v) - rocker_m_gravity_z * rocker_cos,
       minus_rocker_sin = SINES(sine, 2);
     /* rocker: balance, eqs. (40)-(47); momentum rate, eq. (35) */
-    const REAL t75 = minus_rocker_sin * minus_rocker_rate_fx_2, t88 = rocker_cos * minus_rocker_rate_fx_2,
+    const REAL t74 = minus_rocker_sin * minus_rocker_rate_fx_2, t87 = rocker_cos * minus_rocker_rate_fx_2,
       rocker_rate_fy_2 = rocker_mx * READ(a, 2) + rocker_m_gravity_z * minus_rocker_sin,
-      t78 = t75 + rocker_cos * rocker_rate_fy_2, t90 = t88 - minus_rocker_sin * rocker_rate_fy_2,
-      t81 = coupler_cos * multipliers_0 - coupler_sin * multipliers_1, t82 = crank_sin * t81, t91 = crank_cos * t81,
-      t85 = coupler_sin * multipliers_0 + coupler_cos * multipliers_1,
-      rocker_joint_sent_fy = t78 + (t82 + crank_cos * t85);
+      t77 = t74 + rocker_cos * rocker_rate_fy_2, t89 = t87 - minus_rocker_sin * rocker_rate_fy_2,
+      t80 = coupler_cos * multipliers_0 - coupler_sin * multipliers_1, t81 = crank_sin * t80, t90 = crank_cos * t80,
+      t84 = coupler_sin * multipliers_0 + coupler_cos * multipliers_1,
+      rocker_joint_sent_fy = t77 + (t81 + crank_cos * t84);
     WRITE(reactions, 18, rocker_joint_sent_fy);
     WRITE(sized_, 19, rocker_joint_sent_fy);
-    checked1 = checked1 + rocker_joint_sent_fy;
-    const REAL minus_rocker_joint_sent_fx = t90 - (t91 - crank_sin * t85),
+    checked3 = checked3 + rocker_joint_sent_fy;
+    const REAL minus_rocker_joint_sent_fx = t89 - (t90 - crank_sin * t84),
       rocker_joint_sent_fx = -minus_rocker_joint_sent_fx;
     WRITE(reactions, 20, rocker_joint_sent_fx);
     WRITE(sized_, 18, rocker_joint_sent_fx);
-    RESULT(checked2, reactions, 22, D_at_x * minus_rocker_joint_sent_fx);
-    const REAL t95 = t24 - coupler_sin * multipliers_4, t102 = crank_cos * t95, t96 = crank_sin * t95,
-      t98 = t28 + coupler_cos * multipliers_4, t100 = t96 + crank_cos * t98,
-      rocker_joint_sent_mx = t102 - crank_sin * t98 - k6 * minus_rocker_sin * multipliers_2;
-    /* mechanism: results */
-    RESULT(checked3, sized_, 21, per_length * rocker_joint_sent_mx);
-    RESULT(checked0, reactions, 23, rocker_joint_sent_mx + D_at_x * multipliers_2);
-    const REAL t111 = per_length * multipliers_3;
-    checked1 = checked1 + t111;
-    WRITE(sized_, 15, -t111);
-    const REAL t112 = per_length * multipliers_4;
-    checked2 = checked2 + t112;
-    WRITE(sized_, 16, -t112);
-    const REAL rocker_joint_sent_my = t100 - k6 * rocker_cos * multipliers_2;
+    RESULT(checked0, reactions, 22, D_at_x * minus_rocker_joint_sent_fx);
+    const REAL t94 = t24 - coupler_sin * multipliers_4, t101 = crank_cos * t94, t95 = crank_sin * t94,
+      t97 = t28 + coupler_cos * multipliers_4, t99 = t95 + crank_cos * t97,
+      rocker_joint_sent_mx = t101 - crank_sin * t97 - k6 * minus_rocker_sin * multipliers_2;
+    RESULT(checked1, sized_, 21, per_length * rocker_joint_sent_mx);
+    RESULT(checked2, reactions, 23, rocker_joint_sent_mx + D_at_x * multipliers_2);
+    const REAL rocker_joint_sent_my = t99 - k6 * rocker_cos * multipliers_2;
     WRITE(reactions, 21, rocker_joint_sent_my);
     RESULT(checked3, sized_, 22, per_length * rocker_joint_sent_my);
     WRITE(reactions, 4, CONSTANT(0.0));

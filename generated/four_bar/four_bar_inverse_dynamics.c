@@ -32,9 +32,9 @@ BODY(four_bar_inverse_dynamics)(size_t stride, const double *restrict q, const d
     const REAL t36 = t29 / minus_C_closure_fx_by_D, /* A */
       coupler_omega_z = A_v + READ(v, 1),
       t37 = t11 + k11 * (coupler_sin * (coupler_omega_z * coupler_omega_z) - t13) - t36, /* A */
-      minus_A_balance = k14 * crank_sin - k8 * A_a + B_at_z * t37;
-    REAL checked2 = minus_A_balance;
-    WRITE(u, 0, -minus_A_balance);
+      A_balance = k8 * A_a - k14 * crank_sin - B_at_z * t37;
+    WRITE(u, 0, A_balance);
+    REAL checked2 = A_balance;
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
         SMALL(minus_C_closure_fx_by_D, 5.057800000000001e-10), /* where D does not move the loop at C */
         (checked0 + checked1) + checked2);

@@ -20,10 +20,10 @@ BODY(four_bar_body_poses)(size_t stride, const double *restrict q, double *restr
     /* rocker: results */
     const REAL rocker_poses_Rzx = k4 * minus_rocker_sin - k3 * rocker_cos;
     WRITE(poses, 26, rocker_poses_Rzx);
+    const REAL rocker_poses_z = (-D_at_x) * rocker_poses_Rzx;
+    WRITE(poses, 35, rocker_poses_z);
+    REAL checked0 = rocker_poses_z;
     WRITE(poses, 30, -rocker_poses_Rzx);
-    const REAL t18 = D_at_x * rocker_poses_Rzx;
-    REAL checked0 = t18;
-    WRITE(poses, 35, -t18);
     const REAL rocker_poses_Rxx = k3 * minus_rocker_sin + k4 * rocker_cos;
     WRITE(poses, 24, rocker_poses_Rxx);
     WRITE(poses, 32, rocker_poses_Rxx);
@@ -90,9 +90,7 @@ BODY(four_bar_body_twists)(size_t stride, const double *restrict q, const double
     const REAL rocker_twist_vz = D_at_x * D_v;
     WRITE(twists, 17, rocker_twist_vz);
     REAL checked3 = rocker_twist_vz;
-    const REAL minus_coupler_twist_vx = B_v * (B_at_z * SINES(cosine, 0));
-    checked0 = checked0 + minus_coupler_twist_vx;
-    WRITE(twists, 9, -minus_coupler_twist_vx);
+    RESULT(checked0, twists, 9, (-B_at_z) * SINES(cosine, 0) * B_v);
     RESULT(checked1, twists, 11, B_v * (B_at_z * SINES(sine, 0)));
     WRITE(twists, 0, CONSTANT(0.0));
     WRITE(twists, 2, CONSTANT(0.0));
@@ -287,16 +285,16 @@ BODY(four_bar_platform_jacobian)(size_t stride, const double *restrict q, double
 BODY(four_bar_joint_displacements)(size_t stride, const double *restrict q, double *restrict displacements,
     double *restrict total)
 {
-    /* A: results */
-    const REAL A_q = READ(q, 0);
-    WRITE(displacements, 0, A_q);
+    /* D: results */
     const REAL D_q = READ(q, 2);
     WRITE(displacements, 3, D_q);
+    const REAL A_q = READ(q, 0);
+    WRITE(displacements, 0, A_q);
     const REAL B_q = READ(q, 1);
     WRITE(displacements, 1, B_q);
-    const REAL t2 = B_q + (A_q - D_q); /* C */
-    REAL checked0 = t2; /* C */
-    WRITE(displacements, 2, -t2);
+    const REAL C_displacements = D_q - A_q - B_q;
+    WRITE(displacements, 2, C_displacements);
+    REAL checked0 = C_displacements;
     FINITE(checked0);
 }
 
@@ -359,9 +357,9 @@ BODY(four_bar_inverse_velocity)(size_t stride, const double *restrict pose, cons
     REAL checked0 = crank_lever_mz_by_C_fx;
     const REAL crank_omega_z = minus_C_opening_rate_fx / crank_lever_mz_by_C_fx;
     WRITE(v, 0, crank_omega_z);
-    const REAL t35 = 2.0 * (C_opening_rate_fy + crank_lever_mz_by_C_fy * crank_omega_z); /* B */
-    REAL checked1 = t35; /* B */
-    WRITE(v, 1, -t35);
+    const REAL B_v = (-2.0) * (C_opening_rate_fy + crank_lever_mz_by_C_fy * crank_omega_z);
+    WRITE(v, 1, B_v);
+    REAL checked1 = B_v;
     /* else status 11: out of reach: limb A does not get there */
     NOT_BELOW(t11, 0.0, 11);
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */

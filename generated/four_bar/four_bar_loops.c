@@ -87,9 +87,9 @@ BODY(four_bar_closure_bias)(size_t stride, const double *restrict q, const doubl
     WRITE(bias, 1, C_opening_bias_fy);
     REAL checked0 = C_opening_bias_fy;
     const REAL t17 = coupler_sin * t9 + t16, coupler_omega_z = A_v + READ(v, 1),
-      minus_C_opening_bias_fx = 0.5 * (coupler_omega_z * coupler_omega_z) + t17;
-    REAL checked1 = minus_C_opening_bias_fx;
-    WRITE(bias, 0, -minus_C_opening_bias_fx);
+      C_opening_bias_fx = (-0.5) * (coupler_omega_z * coupler_omega_z) - t17;
+    WRITE(bias, 0, C_opening_bias_fx);
+    REAL checked1 = C_opening_bias_fx;
     WRITE(bias, 2, CONSTANT(0.0));
     WRITE(bias, 3, CONSTANT(0.0));
     WRITE(bias, 4, CONSTANT(0.0));
@@ -115,9 +115,9 @@ BODY(four_bar_velocity)(size_t stride, const double *restrict q, const double *r
     const REAL C_closure_fy_by_D = t7 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz,
       D_joint_rate = B_at_z * coupler_sin * A_y_dot / minus_C_closure_fx_by_D;
     WRITE(v, 2, D_joint_rate);
-    const REAL minus_B_joint_rate = 2.0 * ((0.5 + B_at_z * coupler_cos) * A_y_dot + C_closure_fy_by_D * D_joint_rate);
-    REAL checked1 = minus_B_joint_rate;
-    WRITE(v, 1, -minus_B_joint_rate);
+    const REAL B_joint_rate = (-2.0) * ((0.5 + B_at_z * coupler_cos) * A_y_dot + C_closure_fy_by_D * D_joint_rate);
+    WRITE(v, 1, B_joint_rate);
+    REAL checked1 = B_joint_rate;
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
         SMALL(minus_C_closure_fx_by_D, 3.01689e-10), /* where D does not move the loop at C */
         checked0 + checked1);
@@ -140,9 +140,9 @@ BODY(four_bar_null_space)(size_t stride, const double *restrict q, double *restr
     const REAL C_closure_fy_by_D = t6 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz,
       D_null_space_by_A = B_at_z * coupler_sin / minus_C_closure_fx_by_D;
     WRITE(null_space, 2, D_null_space_by_A);
-    const REAL minus_B_null_space_by_A = 2.0 * (0.5 + B_at_z * coupler_cos + C_closure_fy_by_D * D_null_space_by_A);
-    REAL checked1 = minus_B_null_space_by_A;
-    WRITE(null_space, 1, -minus_B_null_space_by_A);
+    const REAL B_null_space_by_A = (-2.0) * (0.5 + B_at_z * coupler_cos + C_closure_fy_by_D * D_null_space_by_A);
+    WRITE(null_space, 1, B_null_space_by_A);
+    REAL checked1 = B_null_space_by_A;
     WRITE(null_space, 0, CONSTANT(1.0));
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
         SMALL(minus_C_closure_fx_by_D, 3.01689e-10), /* where D does not move the loop at C */
@@ -363,7 +363,7 @@ BODY(four_bar_assemble_step)(size_t stride, const double *restrict q, const doub
       coupler_sin = SINES(sine, 1), coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin,
       t6 = B_at_z * crank_sin + 0.5 * coupler_rotation_xx, /* coupler */
       minus_rocker_joint_force_mx_by_C_fz = k6 * SINES(sine, 2);
-    /* C: loop closure */
+    /* C: loop closure; results */
     const REAL t9 = t6 - (D_at_x - minus_rocker_joint_force_mx_by_C_fz), t10 = coupler_rotation_xx * t9,
       minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos,
       t26 = minus_coupler_rotation_xy * t9,
@@ -373,13 +373,12 @@ BODY(four_bar_assemble_step)(size_t stride, const double *restrict q, const doub
       t17 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz,
       t28 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz,
       minus_C_closure_fx_by_D = t17 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz,
-      C_closure_fy_by_D = t28 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz;
-    /* C: results */
-    const REAL t19 = 1.0 / minus_C_closure_fx_by_D, t53 = 0.5 * minus_C_closure_fx_by_D;
-    REAL checked0 = t53;
-    WRITE(orientation_, 0, -t53);
-    const REAL t20 = C_opening_fx * t19, t48 = per_length * C_opening_fx, t49 = t48 * t48,
-      t31 = minus_C_opening_fy - C_closure_fy_by_D * t20, t50 = per_length * minus_C_opening_fy,
+      C_closure_fy_by_D = t28 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz,
+      orientation_orientation = (-0.5) * minus_C_closure_fx_by_D;
+    WRITE(orientation_, 0, orientation_orientation);
+    REAL checked0 = orientation_orientation;
+    const REAL t19 = 1.0 / minus_C_closure_fx_by_D, t20 = C_opening_fx * t19, t48 = per_length * C_opening_fx,
+      t49 = t48 * t48, t31 = minus_C_opening_fy - C_closure_fy_by_D * t20, t50 = per_length * minus_C_opening_fy,
       residual_residual = SQRT(t49 + t50 * t50);
     WRITE(residual_, 0, residual_residual);
     REAL checked1 = residual_residual;

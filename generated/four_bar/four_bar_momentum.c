@@ -122,10 +122,9 @@ BODY(four_bar_momentum_rates)(size_t stride, const double *restrict q, const dou
     RESULT(checked0, momentum_rates, 8, coupler_omega_z * minus_coupler_momentum_px + t51);
     RESULT(checked1, momentum_rates, 6, coupler_omega_z * coupler_momentum_pz - t42);
     /* crank: momentum rate, eq. (35); momentum, eq. (31) */
-    const REAL t1 = crank_com_z * crank_cos, t3 = 0.5 * (A_a * t1), t11 = t1 * t3, t8 = A_v * (0.5 * (A_v * t1)),
-      t4 = crank_com_z * crank_sin, t10 = 0.5 * (A_a * t4), minus_crank_rate_at_O_fz = t8 + t10;
-    checked2 = checked2 + minus_crank_rate_at_O_fz;
-    WRITE(momentum_rates, 2, -minus_crank_rate_at_O_fz);
+    const REAL t1 = crank_com_z * crank_cos, t3 = 0.5 * (A_a * t1), t11 = t1 * t3, t8 = (-0.5) * (A_v * t1) * A_v,
+      t4 = crank_com_z * crank_sin, t10 = 0.5 * (A_a * t4);
+    RESULT(checked2, momentum_rates, 2, t8 - t10);
     const REAL t13 = t11 + t4 * t10;
     RESULT(checked3, momentum_rates, 0, t3 - A_v * (0.5 * (A_v * t4)));
     RESULT(checked0, momentum_rates, 4, t13 + crank_Ixx * A_a);

@@ -2,7 +2,7 @@
 
 Mechanism: four_bar, planar crank-rocker, one driven crank
 Effects: Gravity(acceleration=(0, 0, '-9.81'))
-Programs: 416ce4462ffa8daa
+Programs: 52517b220c5a46e1
 Note: independent coordinates y: A
 Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
 Note: overconstrained: 3 internal loads are undetermined and take the minimum-norm values (moments
@@ -194,7 +194,7 @@ def body_poses(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 41 (add 18, mul 16, trig 6, compare 1)
+    Operations: 40 (add 17, mul 16, trig 6, compare 1)
     """
     entries, batch = _entries("body_poses", {"q": 3}, arguments)
     (
@@ -227,14 +227,13 @@ def body_poses(*arguments):
         rocker_poses_Rzx = 0.8823529411764706 * minus_rocker_sin - 0.47058823529411764 * rocker_cos
         rocker_poses_Rxz = -rocker_poses_Rzx
         rocker_poses_x = 0.64 - 0.64 * rocker_poses_Rxx
-        t18 = 0.64 * rocker_poses_Rzx
-        rocker_poses_z = -t18
+        rocker_poses_z = (-0.64) * rocker_poses_Rzx
         return _finish(batch, ((crank_cos, 0.0, minus_crank_sin, 0.0, 1.0, 0.0, crank_sin, 0.0,
             crank_cos, 0.0, 0.0, 0.0, coupler_poses_Rxx, 0.0, coupler_poses_Rzx, 0.0, 1.0, 0.0,
             coupler_poses_Rxz, 0.0, coupler_poses_Rxx, coupler_poses_x, 0.0, coupler_poses_z,
             rocker_poses_Rxx, 0.0, rocker_poses_Rzx, 0.0, 1.0, 0.0, rocker_poses_Rxz, 0.0,
             rocker_poses_Rxx, rocker_poses_x, 0.0, rocker_poses_z),), (), (coupler_poses_x,
-            coupler_poses_z, rocker_poses_x, t18))
+            coupler_poses_z, rocker_poses_x, rocker_poses_z))
 
 
 def body_twists(*arguments):
@@ -254,7 +253,7 @@ def body_twists(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 15 (add 7, mul 5, trig 2, compare 1)
+    Operations: 14 (add 6, mul 5, trig 2, compare 1)
     """
     entries, batch = _entries("body_twists", {"q": 3, "v": 3}, arguments)
     (
@@ -263,14 +262,12 @@ def body_twists(*arguments):
     with np.errstate(all="ignore"):
         # coupler: velocities, eq. (6)
         coupler_omega_z = A_v + B_v
-        minus_coupler_twist_vx = B_v * (0.15 * np.cos(A_q))
-        coupler_twist_vx = -minus_coupler_twist_vx
+        coupler_twist_vx = (-0.15) * np.cos(A_q) * B_v
         coupler_twist_vz = B_v * (0.15 * np.sin(A_q))
         rocker_twist_vz = 0.64 * D_v
         return _finish(batch, ((0.0, A_v, 0.0, 0.0, 0.0, 0.0, 0.0, coupler_omega_z, 0.0,
             coupler_twist_vx, 0.0, coupler_twist_vz, 0.0, D_v, 0.0, 0.0, 0.0, rocker_twist_vz),),
-            (), (coupler_omega_z, minus_coupler_twist_vx, coupler_twist_vz, rocker_twist_vz, B_q,
-            D_q))
+            (), (coupler_omega_z, coupler_twist_vx, coupler_twist_vz, rocker_twist_vz, B_q, D_q))
 
 
 def body_twist_rates(*arguments):
@@ -509,7 +506,7 @@ def joint_displacements(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 4 (add 3, compare 1)
+    Operations: 3 (add 2, compare 1)
     """
     entries, batch = _entries("joint_displacements", {"q": 3}, arguments)
     (
@@ -517,9 +514,8 @@ def joint_displacements(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # C: results
-        t2 = B_q + (A_q - D_q)
-        C_displacements = -t2
-        return _finish(batch, ((A_q, B_q, C_displacements, D_q),), (), (t2,))
+        C_displacements = D_q - A_q - B_q
+        return _finish(batch, ((A_q, B_q, C_displacements, D_q),), (), (C_displacements,))
 
 
 def joint_rates(*arguments):
@@ -662,7 +658,7 @@ def closure_bias(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 34 (add 11, mul 16, trig 6, compare 1)
+    Operations: 33 (add 10, mul 16, trig 6, compare 1)
     """
     entries, batch = _entries("closure_bias", {"q": 3, "v": 3}, arguments)
     (
@@ -671,7 +667,7 @@ def closure_bias(*arguments):
     with np.errstate(all="ignore"):
         # coupler: velocities, eq. (6); loop closure; geometry
         coupler_omega_z = A_v + B_v
-        t1 = 0.5 * (coupler_omega_z * coupler_omega_z)
+        t1 = (-0.5) * (coupler_omega_z * coupler_omega_z)
         t2 = 0.9272952180016122 + B_q  # B
         coupler_sin = np.sin(t2)
         crank_sin = np.sin(A_q)
@@ -686,11 +682,10 @@ def closure_bias(*arguments):
         t10 = coupler_sin * t9  # C
         coupler_cos = np.cos(t2)
         t15 = 0.15 * (A_v * A_v) - (crank_cos * t5 - crank_sin * t7)  # C
-        minus_C_opening_bias_fx = t1 + (t10 + coupler_cos * t15)
-        C_opening_bias_fx = -minus_C_opening_bias_fx
+        C_opening_bias_fx = t1 - (t10 + coupler_cos * t15)
         C_opening_bias_fy = coupler_sin * t15 - coupler_cos * t9
         return _finish(batch, ((C_opening_bias_fx, C_opening_bias_fy, 0.0, 0.0, 0.0),), (),
-            (minus_C_opening_bias_fx, C_opening_bias_fy))
+            (C_opening_bias_fx, C_opening_bias_fy))
 
 
 def velocity(*arguments):
@@ -707,7 +702,7 @@ def velocity(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 36 (add 10, mul 16, div 1, trig 6, compare 3)
+    Operations: 35 (add 9, mul 16, div 1, trig 6, compare 3)
     Note: independent coordinates y: A
     Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
     """
@@ -735,10 +730,9 @@ def velocity(*arguments):
         t12 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
         minus_C_closure_fx_by_D = t12 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
         D_joint_rate = t11 / minus_C_closure_fx_by_D
-        minus_B_joint_rate = 2.0 * (t3 + C_closure_fy_by_D * D_joint_rate)
-        B_joint_rate = -minus_B_joint_rate
+        B_joint_rate = (-2.0) * (t3 + C_closure_fy_by_D * D_joint_rate)
         return _finish(batch, ((A_y_dot, B_joint_rate, D_joint_rate),), ((minus_C_closure_fx_by_D,
-            3.01689e-10),), (minus_C_closure_fx_by_D, minus_B_joint_rate))
+            3.01689e-10),), (minus_C_closure_fx_by_D, B_joint_rate))
 
 
 def null_space(*arguments):
@@ -753,7 +747,7 @@ def null_space(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 34 (add 10, mul 14, div 1, trig 6, compare 3)
+    Operations: 33 (add 9, mul 14, div 1, trig 6, compare 3)
     Note: independent coordinates y: A
     Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
     """
@@ -781,11 +775,9 @@ def null_space(*arguments):
         t10 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
         minus_C_closure_fx_by_D = t10 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
         D_null_space_by_A = crank_lever_mz_by_C_fx / minus_C_closure_fx_by_D
-        minus_B_null_space_by_A = 2.0 * (crank_lever_mz_by_C_fy + C_closure_fy_by_D * D_null_space_by_A)
-        B_null_space_by_A = -minus_B_null_space_by_A
+        B_null_space_by_A = (-2.0) * (crank_lever_mz_by_C_fy + C_closure_fy_by_D * D_null_space_by_A)
         return _finish(batch, ((1.0, B_null_space_by_A, D_null_space_by_A),),
-            ((minus_C_closure_fx_by_D, 3.01689e-10),), (minus_C_closure_fx_by_D,
-            minus_B_null_space_by_A))
+            ((minus_C_closure_fx_by_D, 3.01689e-10),), (minus_C_closure_fx_by_D, B_null_space_by_A))
 
 
 def acceleration(*arguments):
@@ -950,25 +942,23 @@ def momentum_rates(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 131 (add 49, mul 75, trig 6, compare 1)
+    Operations: 130 (add 48, mul 75, trig 6, compare 1)
     """
     entries, batch = _entries("momentum_rates", {"q": 3, "v": 3, "a": 3}, arguments)
     (
         A_q, B_q, D_q, A_v, B_v, D_v, A_a, B_a, D_a,
     ) = entries
     with np.errstate(all="ignore"):
-        # crank: geometry
+        # crank: geometry; momentum rate, eq. (35); momentum, eq. (31)
         crank_cos = np.cos(A_q)
-        # crank: momentum rate, eq. (35); geometry; momentum, eq. (31)
         t1 = 0.075 * crank_cos
         t3 = 0.5 * (A_a * t1)
         crank_sin = np.sin(A_q)
         t4 = 0.075 * crank_sin
         crank_rate_at_O_fx = t3 - A_v * (0.5 * (A_v * t4))
-        t8 = A_v * (0.5 * (A_v * t1))
+        t8 = (-0.5) * (A_v * t1) * A_v
         t10 = 0.5 * (A_a * t4)
-        minus_crank_rate_at_O_fz = t8 + t10
-        crank_rate_at_O_fz = -minus_crank_rate_at_O_fz
+        crank_rate_at_O_fz = t8 - t10
         crank_rate_at_O_my = t1 * t3 + t4 * t10 + 0.0009375 * A_a
         # coupler: velocities, eq. (6); geometry; momentum, eq. (31)
         coupler_omega_z = A_v + B_v
@@ -1025,7 +1015,7 @@ def momentum_rates(*arguments):
         return _finish(batch, ((crank_rate_at_O_fx, 0.0, crank_rate_at_O_fz, 0.0,
             crank_rate_at_O_my, 0.0, coupler_rate_at_O_fx, 0.0, coupler_rate_at_O_fz, 0.0,
             coupler_rate_at_O_my, 0.0, rocker_rate_at_O_fx, 0.0, rocker_rate_at_O_fz, 0.0,
-            rocker_rate_at_O_my, 0.0),), (), (crank_rate_at_O_fx, minus_crank_rate_at_O_fz,
+            rocker_rate_at_O_my, 0.0),), (), (crank_rate_at_O_fx, crank_rate_at_O_fz,
             crank_rate_at_O_my, coupler_rate_at_O_fx, coupler_rate_at_O_fz, coupler_rate_at_O_my,
             rocker_rate_at_O_fx, rocker_rate_at_O_fz, rocker_rate_at_O_my))
 
@@ -1146,16 +1136,17 @@ def inverse_dynamics(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 70 (add 24, mul 36, div 1, trig 6, compare 3)
+    Operations: 69 (add 23, mul 36, div 1, trig 6, compare 3)
     """
     entries, batch = _entries("inverse_dynamics", {"q": 3, "v": 3, "a": 3}, arguments)
     (
         A_q, B_q, D_q, A_v, B_v, D_v, A_a, B_a, D_a,
     ) = entries
     with np.errstate(all="ignore"):
-        # crank: geometry; momentum rate, eq. (35)
+        # A: momentum rate, eq. (35)
+        t1 = 0.03075 * A_a
         crank_sin = np.sin(A_q)
-        minus_crank_rate_mz_2 = 2.133675 * crank_sin - 0.03075 * A_a
+        crank_rate_mz = t1 - 2.133675 * crank_sin
         t2 = 0.9272952180016122 + B_q  # B
         # coupler: geometry; accelerations; momentum rate, eq. (35)
         coupler_cos = np.cos(t2)
@@ -1182,10 +1173,9 @@ def inverse_dynamics(*arguments):
         t29 = coupler_sin * rocker_joint_force_mz  # A
         t32 = (crank_sin * coupler_cos + crank_cos * coupler_sin) * minus_rocker_joint_force_my_by_C_fz  # C
         minus_C_closure_fx_by_D = t32 - (crank_sin * coupler_sin - crank_cos * coupler_cos) * minus_rocker_joint_force_mx_by_C_fz
-        minus_A_balance = minus_crank_rate_mz_2 + 0.15 * (t16 - t29 / minus_C_closure_fx_by_D)
-        A_balance = -minus_A_balance
+        A_balance = crank_rate_mz - 0.15 * (t16 - t29 / minus_C_closure_fx_by_D)
         return _finish(batch, ((A_balance,),), ((minus_C_closure_fx_by_D, 5.057800000000001e-10),),
-            (minus_C_closure_fx_by_D, minus_A_balance, D_v))
+            (minus_C_closure_fx_by_D, A_balance, D_v))
 
 
 def inverse_dynamics_independent(*arguments):
@@ -1291,7 +1281,7 @@ def joint_reactions(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 233 (add 92, mul 123, div 3, trig 6, compare 9)
+    Operations: 232 (add 91, mul 123, div 3, trig 6, compare 9)
     Note: overconstrained: 3 internal loads are undetermined and take the minimum-norm values (moments
       divided by the characteristic length 0.301689 m); not unique: C.fy, C.mx, C.mz, B.fy, B.mx, B.mz,
       D.fy, D.mx, D.mz, A.fy, A.mx, A.mz
@@ -1301,9 +1291,10 @@ def joint_reactions(*arguments):
         A_q, B_q, D_q, A_v, B_v, D_v, A_a, B_a, D_a,
     ) = entries
     with np.errstate(all="ignore"):
-        # crank: geometry; momentum rate, eq. (35)
+        # A: momentum rate, eq. (35)
+        t1 = 0.03075 * A_a
         crank_sin = np.sin(A_q)
-        minus_crank_rate_mz_2 = 2.133675 * crank_sin - 0.03075 * A_a
+        crank_rate_mz = t1 - 2.133675 * crank_sin
         t2 = 0.9272952180016122 + B_q  # B
         # coupler: geometry; momentum rate, eq. (35); accelerations
         coupler_sin = np.sin(t2)
@@ -1341,8 +1332,7 @@ def joint_reactions(*arguments):
         minus_C_closure_fx_by_D = t28 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
         minus_C_multiplier_fx = rocker_joint_force_mz / minus_C_closure_fx_by_D
         t32 = coupler_sin * minus_C_multiplier_fx  # A
-        minus_A_balance = minus_crank_rate_mz_2 + 0.15 * (t13 - t32)
-        A_balance = -minus_A_balance
+        A_balance = crank_rate_mz - 0.15 * (t13 - t32)
         coupler_sent_fx = minus_C_multiplier_fx - (minus_coupler_rate_fx + 1.2 * (coupler_cos * t6 - coupler_sin * t9))
         t38 = coupler_cos * coupler_sent_fx  # coupler
         minus_coupler_sent_fy = C_multiplier_fy - (coupler_rate_fy + 1.2 * coupler_acc_y)
@@ -1423,7 +1413,7 @@ def joint_reactions(*arguments):
             rocker_joint_sent_fx, 0.0, D_reaction_my, 0.0)), ((minus_C_closure_fx_by_D,
             5.057800000000001e-10), (pivot_0, 1.3789999999999998e-08), (minus_pivot_1,
             4.3948000000000004e-08), (pivot_2, 4.3948000000000004e-08)), (minus_C_closure_fx_by_D,
-            minus_A_balance, crank_joint_sent_fy, crank_joint_sent_fx, B_reaction_my, C_reaction_my,
+            A_balance, crank_joint_sent_fy, crank_joint_sent_fx, B_reaction_my, C_reaction_my,
             rocker_joint_sent_fy, D_reaction_my, pivot_0, minus_pivot_1, pivot_2))
 
 
@@ -1520,8 +1510,7 @@ def _forward_dynamics_dense(*arguments):
         minus_coupler_rate_mz = -coupler_rate_mz
         t10 = 0.4899573262537283 - D_q  # D
         minus_rocker_sin = np.sin(t10)
-        rocker_rate_mz = 3.00186 * minus_rocker_sin
-        minus_rocker_rate_mz = -rocker_rate_mz
+        minus_rocker_rate_mz = (-3.00186) * minus_rocker_sin
         crank_lever_mz_by_C_fx = 0.15 * coupler_sin
         crank_lever_mz_by_C_fy = 0.5 + 0.15 * coupler_cos
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
@@ -1534,7 +1523,7 @@ def _forward_dynamics_dense(*arguments):
         C_closure_fx_by_D = t14 - coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz
         t18 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz
         C_closure_fy_by_D = t18 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
-        t20 = 0.5 * minus_coupler_U_still_xx  # coupler
+        t20 = (-0.5) * minus_coupler_U_still_xx  # coupler
         t21 = 0.51 * (D_v * D_v)  # rocker
         t22 = rocker_cos * t21  # rocker
         t23 = crank_sin * t22
@@ -1542,17 +1531,16 @@ def _forward_dynamics_dense(*arguments):
         t26 = t23 + crank_cos * t24
         t27 = coupler_sin * t26
         t31 = t4 - (crank_cos * t22 - crank_sin * t24)
-        minus_C_opening_bias_fx = t20 + (t27 + coupler_cos * t31)
-        C_opening_bias_fx = -minus_C_opening_bias_fx
+        C_opening_bias_fx = t20 - (t27 + coupler_cos * t31)
         C_opening_bias_fy = coupler_sin * t31 - coupler_cos * t26
         return _finish(batch, ((A_mass_matrix_by_A, A_mass_matrix_by_B, 0.0, A_mass_matrix_by_B,
             0.1, 0.0, 0.0, 0.0, 0.10404), (minus_A_generalised_force, minus_coupler_rate_mz,
             minus_rocker_rate_mz), (crank_lever_mz_by_C_fx, crank_lever_mz_by_C_fy, 0.0, 0.0, 0.0,
             0.0, 0.5, 0.0, 0.0, 0.0, C_closure_fx_by_D, C_closure_fy_by_D, 0.0, 0.0, 0.0),
             (C_opening_bias_fx, C_opening_bias_fy, 0.0, 0.0, 0.0)), (), (A_mass_matrix_by_A,
-            A_mass_matrix_by_B, minus_A_generalised_force, rocker_rate_mz, crank_lever_mz_by_C_fx,
-            crank_lever_mz_by_C_fy, C_closure_fx_by_D, C_closure_fy_by_D, minus_C_opening_bias_fx,
-            C_opening_bias_fy))
+            A_mass_matrix_by_B, minus_A_generalised_force, minus_rocker_rate_mz,
+            crank_lever_mz_by_C_fx, crank_lever_mz_by_C_fy, C_closure_fx_by_D, C_closure_fy_by_D,
+            C_opening_bias_fx, C_opening_bias_fy))
 
 
 def forward_dynamics(*arguments):
@@ -1597,21 +1585,20 @@ def forward_dynamics_independent(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 109 (add 36, mul 60, div 2, trig 6, compare 5)
+    Operations: 109 (add 35, mul 61, div 2, trig 6, compare 5)
     """
     entries, batch = _entries("forward_dynamics_independent", {"q": 3, "y_dot": 1, "u": 1}, arguments)
     (
         A_q, B_q, D_q, A_y_dot, A_u,
     ) = entries
     with np.errstate(all="ignore"):
-        # B: geometry; velocities, eq. (6); rates that follow
-        t1 = 0.9272952180016122 + B_q
-        coupler_sin = np.sin(t1)
-        crank_lever_mz_by_C_fx = 0.15 * coupler_sin
+        # crank: geometry; reciprocal wrenches, eq. (10); loop closure
         crank_sin = np.sin(A_q)
+        t1 = 0.9272952180016122 + B_q  # B
         coupler_cos = np.cos(t1)
         t2 = crank_sin * coupler_cos  # coupler
         crank_cos = np.cos(A_q)
+        coupler_sin = np.sin(t1)
         coupler_rotation_xx = t2 + crank_cos * coupler_sin
         t4 = 0.4899573262537283 - D_q  # D
         rocker_cos = np.cos(t4)
@@ -1622,12 +1609,11 @@ def forward_dynamics_independent(*arguments):
         minus_rocker_joint_force_mx_by_C_fz = 0.51 * minus_rocker_sin
         minus_C_closure_fx_by_D = t5 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
         t9 = 1.0 / minus_C_closure_fx_by_D  # C
-        D_null_space_by_A = crank_lever_mz_by_C_fx * t9
-        rocker_rate_mz = 3.00186 * minus_rocker_sin
         crank_lever_mz_by_C_fy = 0.5 + 0.15 * coupler_cos
-        t11 = crank_lever_mz_by_C_fy * A_y_dot
+        t11 = crank_lever_mz_by_C_fy * A_y_dot  # B
         t12 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
         C_closure_fy_by_D = t12 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
+        crank_lever_mz_by_C_fx = 0.15 * coupler_sin
         D_joint_rate = crank_lever_mz_by_C_fx * A_y_dot * t9
         coupler_omega_z = A_y_dot - 2.0 * (t11 + C_closure_fy_by_D * D_joint_rate)
         minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z
@@ -1638,11 +1624,13 @@ def forward_dynamics_independent(*arguments):
         t21 = minus_rocker_sin * t18  # rocker
         t23 = t20 + crank_cos * t21  # C
         t24 = coupler_sin * t23  # C
-        t25 = 0.15 * (A_y_dot * A_y_dot)  # crank
+        t25 = 0.15 * (A_y_dot * A_y_dot)
         t29 = t25 - (crank_cos * t19 - crank_sin * t21)  # C
         minus_D_joint_acc_still = t9 * (t17 + (t24 + coupler_cos * t29))
-        t33 = D_null_space_by_A * (rocker_rate_mz - 0.10404 * minus_D_joint_acc_still)  # A
-        t35 = crank_lever_mz_by_C_fy + C_closure_fy_by_D * D_null_space_by_A
+        minus_rocker_rate_mz = 0.10404 * minus_D_joint_acc_still - 3.00186 * minus_rocker_sin
+        D_null_space_by_A = crank_lever_mz_by_C_fx * t9
+        t33 = minus_rocker_rate_mz * D_null_space_by_A  # A
+        t35 = crank_lever_mz_by_C_fy + C_closure_fy_by_D * D_null_space_by_A  # B
         minus_B_null_space_by_A = 2.0 * t35
         minus_coupler_acc_y = coupler_cos * (9.81 * crank_sin) + coupler_sin * (9.81 * crank_cos - t25)
         minus_coupler_rate_mz = 0.3 * minus_coupler_acc_y
@@ -1650,17 +1638,16 @@ def forward_dynamics_independent(*arguments):
         minus_coupler_rate_mz_2 = minus_coupler_rate_mz - 0.2 * t43
         t45 = minus_B_null_space_by_A * minus_coupler_rate_mz_2  # A
         minus_crank_rate_mz = 2.133675 * crank_sin
-        t47 = 0.15 * (coupler_sin * (0.3 * minus_coupler_U_still_xx) - coupler_cos * (0.6 * t43))  # crank
-        minus_A_reduced_force = t33 + (t45 - (A_u + (minus_crank_rate_mz + (minus_coupler_rate_mz_2 + t47))))
+        t47 = 0.15 * (coupler_sin * (0.3 * minus_coupler_U_still_xx) - coupler_cos * (0.6 * t43))
+        A_reduced_force = t33 - (t45 - (A_u + (minus_crank_rate_mz + (minus_coupler_rate_mz_2 + t47))))
         t53 = D_null_space_by_A * (0.10404 * D_null_space_by_A)  # D
         A_mass_matrix_by_B = 0.1 + 0.045 * coupler_cos
         t58 = minus_B_null_space_by_A * (A_mass_matrix_by_B + (A_mass_matrix_by_B - 0.2 * t35))  # A
         A_reduced_inertia_by_A = t53 - (t58 - (0.09 * coupler_cos + 0.13075))
-        minus_A_joint_acc = minus_A_reduced_force / A_reduced_inertia_by_A
-        A_joint_acc = -minus_A_joint_acc
+        A_joint_acc = A_reduced_force * (1.0 / A_reduced_inertia_by_A)
         return _finish(batch, ((A_joint_acc,),), ((minus_C_closure_fx_by_D, 3.01689e-10),
             (A_reduced_inertia_by_A, 3.2646e-11)), (minus_C_closure_fx_by_D, A_reduced_inertia_by_A,
-            minus_A_joint_acc))
+            A_joint_acc))
 
 
 def _forward_dynamics_reactions_first(*arguments):
@@ -1856,8 +1843,7 @@ def _forward_dynamics_reactions_dense(*arguments):
         minus_coupler_rate_mz = -coupler_rate_mz
         t10 = 0.4899573262537283 - D_q  # D
         minus_rocker_sin = np.sin(t10)
-        rocker_rate_mz = 3.00186 * minus_rocker_sin
-        minus_rocker_rate_mz = -rocker_rate_mz
+        minus_rocker_rate_mz = (-3.00186) * minus_rocker_sin
         crank_lever_mz_by_C_fx = 0.15 * coupler_sin
         crank_lever_mz_by_C_fy = 0.5 + 0.15 * coupler_cos
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
@@ -1870,7 +1856,7 @@ def _forward_dynamics_reactions_dense(*arguments):
         C_closure_fx_by_D = t14 - coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz
         t18 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz
         C_closure_fy_by_D = t18 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
-        t20 = 0.5 * minus_coupler_U_still_xx  # coupler
+        t20 = (-0.5) * minus_coupler_U_still_xx  # coupler
         t21 = 0.51 * (D_v * D_v)  # rocker
         t22 = rocker_cos * t21  # rocker
         t23 = crank_sin * t22
@@ -1878,17 +1864,16 @@ def _forward_dynamics_reactions_dense(*arguments):
         t26 = t23 + crank_cos * t24
         t27 = coupler_sin * t26
         t31 = t4 - (crank_cos * t22 - crank_sin * t24)
-        minus_C_opening_bias_fx = t20 + (t27 + coupler_cos * t31)
-        C_opening_bias_fx = -minus_C_opening_bias_fx
+        C_opening_bias_fx = t20 - (t27 + coupler_cos * t31)
         C_opening_bias_fy = coupler_sin * t31 - coupler_cos * t26
         return _finish(batch, ((A_mass_matrix_by_A, A_mass_matrix_by_B, 0.0, A_mass_matrix_by_B,
             0.1, 0.0, 0.0, 0.0, 0.10404), (minus_A_generalised_force, minus_coupler_rate_mz,
             minus_rocker_rate_mz), (crank_lever_mz_by_C_fx, crank_lever_mz_by_C_fy, 0.0, 0.0, 0.0,
             0.0, 0.5, 0.0, 0.0, 0.0, C_closure_fx_by_D, C_closure_fy_by_D, 0.0, 0.0, 0.0),
             (C_opening_bias_fx, C_opening_bias_fy, 0.0, 0.0, 0.0)), (), (A_mass_matrix_by_A,
-            A_mass_matrix_by_B, minus_A_generalised_force, rocker_rate_mz, crank_lever_mz_by_C_fx,
-            crank_lever_mz_by_C_fy, C_closure_fx_by_D, C_closure_fy_by_D, minus_C_opening_bias_fx,
-            C_opening_bias_fy))
+            A_mass_matrix_by_B, minus_A_generalised_force, minus_rocker_rate_mz,
+            crank_lever_mz_by_C_fx, crank_lever_mz_by_C_fy, C_closure_fx_by_D, C_closure_fy_by_D,
+            C_opening_bias_fx, C_opening_bias_fy))
 
 
 def _forward_dynamics_reactions_wrenches(*arguments):
@@ -1939,74 +1924,66 @@ def _forward_dynamics_reactions_wrenches(*arguments):
         t32 = crank_cos * minus_coupler_joint_sent_mx  # crank
         minus_crank_joint_sent_mx = t32 - crank_sin * minus_crank_sent_my
         crank_joint_sent_mx = -minus_crank_joint_sent_mx
-        # B: reactions, eq. (32)
-        t36 = crank_sin * minus_coupler_joint_sent_fx + crank_cos * minus_coupler_joint_sent_fy
+        t36 = crank_sin * minus_coupler_joint_sent_fx + crank_cos * minus_coupler_joint_sent_fy  # B
         B_reactions_fx = -t36
-        t39 = crank_cos * minus_coupler_joint_sent_fx - crank_sin * minus_coupler_joint_sent_fy
+        t39 = crank_cos * minus_coupler_joint_sent_fx - crank_sin * minus_coupler_joint_sent_fy  # B
         B_reactions_fz = -t39
         coupler_position_z = 0.15 * crank_cos
         B_reactions_mx = coupler_position_z * multipliers_2 - (t27 + crank_cos * minus_coupler_joint_sent_my)
         coupler_position_x = 0.15 * crank_sin
         B_reactions_my = coupler_position_x * t39 - coupler_position_z * t36
-        t48 = t32 - crank_sin * minus_coupler_joint_sent_my + coupler_position_x * multipliers_2
-        B_reactions_mz = -t48
+        B_reactions_mz = crank_sin * minus_coupler_joint_sent_my - t32 - coupler_position_x * multipliers_2
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
         # C: reactions, eq. (32)
-        t51 = coupler_rotation_xx * multipliers_0
+        t50 = coupler_rotation_xx * multipliers_0
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
-        t55 = t51 - minus_coupler_rotation_xy * multipliers_1
-        C_reactions_fx = -t55
+        t54 = t50 - minus_coupler_rotation_xy * multipliers_1
+        C_reactions_fx = -t54
         C_reactions_fz = minus_coupler_rotation_xy * multipliers_0 + coupler_rotation_xx * multipliers_1
-        t59 = coupler_position_z - 0.5 * minus_coupler_rotation_xy  # coupler
-        t60 = t59 * multipliers_2
-        C_reactions_mx = t60 - (coupler_rotation_xx * multipliers_3 - minus_coupler_rotation_xy * multipliers_4)
-        t64 = t59 * t55
-        t66 = coupler_position_x + 0.5 * coupler_rotation_xx  # coupler
-        t68 = t64 + t66 * C_reactions_fz
-        C_reactions_my = -t68
-        t71 = minus_coupler_rotation_xy * multipliers_3 + coupler_rotation_xx * multipliers_4
-        C_reactions_mz = t71 - t66 * multipliers_2
-        t73 = 0.4899573262537283 - D_q  # D
+        t58 = coupler_position_z - 0.5 * minus_coupler_rotation_xy  # coupler
+        t59 = t58 * multipliers_2
+        C_reactions_mx = t59 - (coupler_rotation_xx * multipliers_3 - minus_coupler_rotation_xy * multipliers_4)
+        t63 = t58 * t54
+        t65 = coupler_position_x + 0.5 * coupler_rotation_xx  # coupler
+        t67 = t63 + t65 * C_reactions_fz
+        C_reactions_my = -t67
+        t70 = minus_coupler_rotation_xy * multipliers_3 + coupler_rotation_xx * multipliers_4
+        C_reactions_mz = t70 - t65 * multipliers_2
+        t72 = 0.4899573262537283 - D_q  # D
         # rocker: geometry; momentum rate, eq. (35)
-        minus_rocker_sin = np.sin(t73)
+        minus_rocker_sin = np.sin(t72)
         minus_rocker_rate_fx = 0.306 * (D_v * D_v)
-        rocker_cos = np.cos(t73)
+        rocker_cos = np.cos(t72)
         minus_rocker_rate_fx_2 = minus_rocker_rate_fx - 11.772 * rocker_cos
         # rocker: balance, eqs. (40)-(47); momentum rate, eq. (35)
-        t75 = minus_rocker_sin * minus_rocker_rate_fx_2
+        t74 = minus_rocker_sin * minus_rocker_rate_fx_2
         rocker_rate_fy_2 = 0.306 * D_a + 11.772 * minus_rocker_sin
-        t78 = t75 + rocker_cos * rocker_rate_fy_2
-        t81 = coupler_cos * multipliers_0 - coupler_sin * multipliers_1
-        t82 = crank_sin * t81
-        t85 = coupler_sin * multipliers_0 + coupler_cos * multipliers_1
-        rocker_joint_sent_fy = t78 + (t82 + crank_cos * t85)
-        t90 = rocker_cos * minus_rocker_rate_fx_2 - minus_rocker_sin * rocker_rate_fy_2
-        minus_rocker_joint_sent_fx = t90 - (crank_cos * t81 - crank_sin * t85)
+        t77 = t74 + rocker_cos * rocker_rate_fy_2
+        t80 = coupler_cos * multipliers_0 - coupler_sin * multipliers_1
+        t81 = crank_sin * t80
+        t84 = coupler_sin * multipliers_0 + coupler_cos * multipliers_1
+        rocker_joint_sent_fy = t77 + (t81 + crank_cos * t84)
+        t89 = rocker_cos * minus_rocker_rate_fx_2 - minus_rocker_sin * rocker_rate_fy_2
+        minus_rocker_joint_sent_fx = t89 - (crank_cos * t80 - crank_sin * t84)
         rocker_joint_sent_fx = -minus_rocker_joint_sent_fx
-        t95 = t24 - coupler_sin * multipliers_4
-        t96 = crank_sin * t95
-        t98 = t28 + coupler_cos * multipliers_4
-        rocker_joint_sent_my = t96 + crank_cos * t98 - 0.51 * rocker_cos * multipliers_2
+        t94 = t24 - coupler_sin * multipliers_4
+        t95 = crank_sin * t94
+        t97 = t28 + coupler_cos * multipliers_4
+        rocker_joint_sent_my = t95 + crank_cos * t97 - 0.51 * rocker_cos * multipliers_2
         D_reactions_my = 0.64 * minus_rocker_joint_sent_fx
-        rocker_joint_sent_mx = crank_cos * t95 - crank_sin * t98 - 0.51 * minus_rocker_sin * multipliers_2
+        rocker_joint_sent_mx = crank_cos * t94 - crank_sin * t97 - 0.51 * minus_rocker_sin * multipliers_2
         D_reactions_mz = rocker_joint_sent_mx + 0.64 * multipliers_2
-        t107 = 3.3146717314850727 * minus_crank_joint_sent_mx  # crank
-        sized_3 = -t107
-        t108 = 3.3146717314850727 * minus_crank_joint_sent_my  # crank
-        sized_4 = -t108
+        # mechanism: results
+        sized_3 = (-3.3146717314850727) * minus_crank_joint_sent_mx
+        sized_4 = (-3.3146717314850727) * minus_crank_joint_sent_my
         coupler_joint_sent_fx = -minus_coupler_joint_sent_fx
         coupler_joint_sent_fy = -minus_coupler_joint_sent_fy
-        t109 = 3.3146717314850727 * minus_coupler_joint_sent_mx  # coupler
-        # mechanism: results
-        sized_9 = -t109
-        t110 = 3.3146717314850727 * minus_coupler_joint_sent_my  # coupler
-        sized_10 = -t110
+        sized_9 = (-3.3146717314850727) * minus_coupler_joint_sent_mx
+        sized_10 = (-3.3146717314850727) * minus_coupler_joint_sent_my
         C_joint_reaction_fx = -multipliers_0
         C_joint_reaction_fy = -multipliers_1
-        t111 = 3.3146717314850727 * multipliers_3
-        sized_15 = -t111
-        t112 = 3.3146717314850727 * multipliers_4
-        sized_16 = -t112
+        sized_15 = (-3.3146717314850727) * multipliers_3
+        sized_16 = (-3.3146717314850727) * multipliers_4
         sized_21 = 3.3146717314850727 * rocker_joint_sent_mx
         sized_22 = 3.3146717314850727 * rocker_joint_sent_my
         return _finish(batch, ((crank_joint_sent_fy, C_joint_reaction_fz, crank_joint_sent_fx,
@@ -2019,9 +1996,10 @@ def _forward_dynamics_reactions_wrenches(*arguments):
             coupler_joint_sent_fy, C_joint_reaction_fz, sized_9, sized_10, 0.0, C_joint_reaction_fx,
             C_joint_reaction_fy, C_joint_reaction_fz, sized_15, sized_16, 0.0, rocker_joint_sent_fx,
             rocker_joint_sent_fy, multipliers_2, sized_21, sized_22, 0.0)), (),
-            (crank_joint_sent_fy, crank_joint_sent_fx, B_reactions_mx, B_reactions_my, t48,
-            C_reactions_mx, t68, C_reactions_mz, rocker_joint_sent_fy, D_reactions_my,
-            D_reactions_mz, t107, t108, t109, t110, t111, t112, sized_21, sized_22, A_u))
+            (crank_joint_sent_fy, crank_joint_sent_fx, B_reactions_mx, B_reactions_my,
+            B_reactions_mz, C_reactions_mx, t67, C_reactions_mz, rocker_joint_sent_fy,
+            D_reactions_my, D_reactions_mz, sized_3, sized_4, sized_9, sized_10, sized_15, sized_16,
+            sized_21, sized_22, A_u))
 
 
 def forward_dynamics_reactions(*arguments):
@@ -2276,7 +2254,7 @@ def inverse_velocity(*arguments):
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
       11 out of reach: limb A does not get there; all outputs are NaN
-    Operations: 57 (add 17, mul 30, div 2, sqrt 1, trig 2, compare 5)
+    Operations: 56 (add 16, mul 30, div 2, sqrt 1, trig 2, compare 5)
     """
     entries, batch = _entries("inverse_velocity", {"pose": 1, "rate": 1}, arguments)
     (
@@ -2317,10 +2295,9 @@ def inverse_velocity(*arguments):
         crank_lever_mz_by_C_fx = 2.0 * t14
         crank_omega_z = minus_C_opening_rate_fx / crank_lever_mz_by_C_fx
         t34 = coupler_sin * t25 + coupler_cos * t29 + (t5 + 0.2275) * crank_omega_z  # B
-        t35 = 2.0 * t34  # B
-        B_v = -t35
+        B_v = (-2.0) * t34
         return _finish(batch, ((crank_omega_z, B_v, D_rate),), ((crank_lever_mz_by_C_fx,
-            3.01689e-10),), (crank_lever_mz_by_C_fx, t35), ((t11, 0.0, None, 11),))
+            3.01689e-10),), (crank_lever_mz_by_C_fx, B_v), ((t11, 0.0, None, 11),))
 
 
 def inverse_dynamics_platform(*arguments):
@@ -2472,11 +2449,10 @@ def _assemble_step(*arguments):
         t49 = t48 * t48
         t50 = 3.3146717314850727 * minus_C_opening_fy
         residual_residual = np.sqrt(t49 + t50 * t50)
-        t53 = 0.5 * minus_C_closure_fx_by_D
-        orientation_orientation = -t53
+        orientation_orientation = (-0.5) * minus_C_closure_fx_by_D
         return _finish(batch, ((A_q_next, B_q_next, D_q_next), (residual_residual,), (step_step,),
             (orientation_orientation,)), ((minus_C_closure_fx_by_D, 3.01689e-13),), (step_step,
-            A_q_next, B_q_next, D_q_next, residual_residual, t53))
+            A_q_next, B_q_next, D_q_next, residual_residual, orientation_orientation))
 
 
 def assemble(*arguments):
@@ -2496,7 +2472,7 @@ def assemble(*arguments):
       3 not converged: the loops could not be closed from this guess; all outputs are NaN
       4 other branch: the loops close only on another assembly branch than the guess; all outputs are
         NaN
-    Operations of one Newton step (at most 25 per substep): 85 (add 31, mul 38, div 2, sqrt 2, trig 6,
+    Operations of one Newton step (at most 25 per substep): 84 (add 30, mul 38, div 2, sqrt 2, trig 6,
     compare 6)
     Note: independent coordinates y: A
     Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my

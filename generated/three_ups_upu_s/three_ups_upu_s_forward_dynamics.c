@@ -523,21 +523,21 @@ BODY(three_ups_upu_s_forward_dynamics_independent)(size_t stride, const double *
       t255 = t253 + platform_turn_zx * t247, t235 = t231 + (t232 - platform_turn_xz * limb5_S_joint_acc_wx),
       t256 = platform_turn_zz * t235 + t255, t261 = t259 + platform_turn_yx * t247,
       t250 = platform_turn_xz * t235 + (t242 + platform_turn_xx * t247), t262 = platform_turn_yz * t235 + t261,
-      t283 = t36 * t262 + (t48 * t256 - t39 * t250), t265 = t36 * t250 + (t39 * t262 - t43 * t256),
-      t273 = t43 * limb5_S_joint_rate_wz - t39 * limb5_S_joint_rate_wy + t36 * minus_limb5_S_joint_rate_wx,
-      t275 = limb5_S_joint_rate_wz * (0.5 * t273), t61 = t36 * limb5_S_joint_rate_wy,
+      t282 = t36 * t262 + (t48 * t256 - t39 * t250), t265 = t36 * t250 + (t39 * t262 - t43 * t256),
+      t272 = t43 * limb5_S_joint_rate_wz - t39 * limb5_S_joint_rate_wy + t36 * minus_limb5_S_joint_rate_wx,
+      t274 = limb5_S_joint_rate_wz * (0.5 * t272), t61 = t36 * limb5_S_joint_rate_wy,
       t69 = t48 * limb5_S_joint_rate_wy + t43 * minus_limb5_S_joint_rate_wx - t36 * limb5_S_joint_rate_wz,
-      t70 = 0.5 * t69, t276 = minus_limb5_S_joint_rate_wx * t70 + t275, t71 = limb5_S_joint_rate_wy * t70,
+      t70 = 0.5 * t69, t275 = minus_limb5_S_joint_rate_wx * t70 + t274, t71 = limb5_S_joint_rate_wy * t70,
       t58 = t39 * minus_limb5_S_joint_rate_wx,
       t77 = t39 * limb5_S_joint_rate_wz + (t43 * limb5_S_joint_rate_wy - t48 * minus_limb5_S_joint_rate_wx),
       t78 = 0.5 * t77, t79 = minus_limb5_S_joint_rate_wx * t78,
-      t285 = 0.5 * (t276 + limb5_S_joint_rate_wy * t78 + t283);
-    checked0 = checked0 + t285;
-    WRITE(y_ddot, 1, -t285);
+      minus_limb5_S_y_ddot_qy = 0.5 * (t275 + limb5_S_joint_rate_wy * t78 + t282);
+    checked0 = checked0 + minus_limb5_S_y_ddot_qy;
+    WRITE(y_ddot, 1, -minus_limb5_S_y_ddot_qy);
     const REAL t72 = limb5_S_joint_rate_wz * (0.5 * (t58 + t48 * limb5_S_joint_rate_wz + t61)) + t71,
-      t267 = 0.5 * (t72 - t79 + t265);
-    checked1 = checked1 + t267;
-    WRITE(y_ddot, 0, -t267);
+      minus_limb5_S_y_ddot_qx = 0.5 * (t72 - t79 + t265);
+    checked1 = checked1 + minus_limb5_S_y_ddot_qx;
+    WRITE(y_ddot, 0, -minus_limb5_S_y_ddot_qx);
     /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
@@ -668,19 +668,18 @@ STAGE(forward_dynamics_reactions, 1)(size_t limb, size_t stride, const double *r
     WRITE4(a, 0, 3, 6, 9, sign1 * signed_U_joint_acc_0);
     const LIMB4 t50 = sign1 * signed_U_joint_acc_0, lower_cos = IN_EACH4(SINES, cosine, 1, 2),
       U_v_1 = IN_EACH4(READ, v, 1, 3), U_0_rate_mz = each_k4 * signed_U_joint_acc_0, lower_U_xz = lower_cos * t50,
-      minus_lower_alpha_still_y = U_v_1 * OWN(lower_omega_x),
-      minus_lower_alpha_y = minus_lower_alpha_still_y - lower_U_xz,
-      lower_U_zx = minus_lower_alpha_still_y + minus_lower_alpha_y, t28 = OWN(upper_offset_x) * lower_U_zx,
-      lower_rate_fz = limb_lower_mx * lower_U_zx;
-    OWN(t23) = lower_rate_fz - OWN(minus_upper_force_z);
+      minus_lower_alpha_still_y = U_v_1 * OWN(lower_omega_x), lower_alpha_y = lower_U_xz - minus_lower_alpha_still_y,
+      minus_lower_U_zx = lower_alpha_y - minus_lower_alpha_still_y, t28 = OWN(upper_offset_x) * minus_lower_U_zx,
+      minus_lower_rate_fz = limb_lower_mx * minus_lower_U_zx;
+    OWN(t23) = OWN(minus_upper_force_z) + minus_lower_rate_fz;
     const LIMB4 P_v = IN_EACH4(READ, v, 2, 3),
-      minus_upper_acc_z = P_v * (2.0 * OWN(lower_omega_y)) + (each_gravity_z * signed_U_0_sin - t28);
-    OWN(minus_upper_rate_fz) = lower_rate_fz + limb_lower_m * minus_upper_acc_z;
+      minus_upper_acc_z = P_v * (2.0 * OWN(lower_omega_y)) + (each_gravity_z * signed_U_0_sin + t28);
+    OWN(minus_upper_rate_fz) = limb_lower_m * minus_upper_acc_z - minus_lower_rate_fz;
     /* each limb: balance, eqs. (40)-(47); momentum rate, eq. (35) */
     const LIMB4 t30 = OWN(upper_offset_x) * OWN(minus_upper_rate_fz),
       minus_upper_rate_my = limb_lower_mx * minus_upper_acc_z, t31 = t30 - minus_upper_rate_my,
-      t24 = k10 * minus_lower_alpha_still_y + k9 * minus_lower_alpha_y;
-    OWN(t24) = k18 * minus_lower_alpha_still_y + k17 * minus_lower_alpha_y;
+      t24 = k10 * minus_lower_alpha_still_y - k9 * lower_alpha_y;
+    OWN(t24) = k18 * minus_lower_alpha_still_y - k17 * lower_alpha_y;
     OWN(minus_upper_rate_my_2) = minus_upper_rate_my + OWN(t24);
     OWN(upper_moment_y) = each_gravity_z_limb_lower_mx * signed_U_0_sin;
     const LIMB4 t32 = lower_cos * (OWN(upper_moment_y) + t24 - t31), t49 = sign2 * IN_EACH4(SINES, sine, 1, 2),
@@ -747,14 +746,14 @@ STAGE(forward_dynamics_reactions, 2)(size_t limb, size_t stride, const double *r
     OWN(signed_S_reaction_mx) = t58 - signed_upper_position_z * OWN(signed_S_reaction_fy);
     OWN(signed_S_reaction_my) = signed_upper_position_z * signed_S_reaction_fx + t57;
     const LIMB4 upper_sent_fy = OWN(upper_rate_fy) + sign2 * signed_S_multiplier_fy,
-      t21 = lower_rotation_yy * upper_sent_fy, t34 = lower_rotation_yy * OWN(minus_upper_rate_my_2),
+      t21 = lower_rotation_yy * upper_sent_fy, t31 = lower_rotation_yy * OWN(minus_upper_rate_my_2),
       minus_upper_sent_fz = OWN(minus_upper_rate_fz) - sign3 * signed_S_multiplier_fz,
       P_reaction_fy = t21 - U_0_cos * minus_upper_sent_fz;
     WRITE4(reactions, 7, 24, 43, 60, P_reaction_fy);
-    const LIMB4 t39 = OWN(upper_position_x) * P_reaction_fy, t24 = signed_upper_position_z * P_reaction_fy,
+    const LIMB4 t38 = OWN(upper_position_x) * P_reaction_fy, t24 = signed_upper_position_z * P_reaction_fy,
       P_reaction_fx = lower_cos * upper_sent_fy;
     WRITE4(reactions, 6, 25, 42, 61, P_reaction_fx);
-    const LIMB4 t31 = signed_upper_position_z * P_reaction_fx, t40 = minus_upper_position_y * P_reaction_fx + t39,
+    const LIMB4 t36 = signed_upper_position_z * P_reaction_fx, t40 = t38 + minus_upper_position_y * P_reaction_fx,
       t42 = signed_lower_rotation_zy * OWN(minus_upper_rate_my_2), t23 = signed_lower_rotation_zy * upper_sent_fy,
       lower_sent_fy = upper_sent_fy + OWN(t22), t44 = t42 - OWN(signed_lower_rotation_zx) * minus_upper_rate_mx,
       signed_P_reaction_mz = t40 - (signed_U_0_sin * minus_upper_rate_mz_2 - t44);
@@ -763,37 +762,36 @@ STAGE(forward_dynamics_reactions, 2)(size_t limb, size_t stride, const double *r
     const LIMB4 signed_P_reaction_fz = signed_U_0_sin * minus_upper_sent_fz + t23;
     WRITE4(reactions, 8, 26, 44, 62, -sign3 * signed_P_reaction_fz);
     const LIMB4 t26 = minus_upper_position_y * signed_P_reaction_fz - t24,
-      t32 = OWN(upper_position_x) * signed_P_reaction_fz + t31,
-      P_reaction_my = t32 + (OWN(minus_lower_rotation_yx) * minus_upper_rate_mx - t34 - U_0_cos * minus_upper_rate_mz_2);
+      t37 = OWN(upper_position_x) * signed_P_reaction_fz + t36,
+      P_reaction_my = t37 - (U_0_cos * minus_upper_rate_mz_2 - (OWN(minus_lower_rotation_yx) * minus_upper_rate_mx - t31));
     WRITE4(reactions, 10, 27, 46, 63, P_reaction_my);
     checked = checked + P_reaction_my;
     const LIMB4 P_reaction_mx = t26 - (lower_cos * OWN(minus_upper_rate_my_2) + t67 * minus_upper_rate_mx);
     WRITE4(reactions, 9, 28, 45, 64, P_reaction_mx);
     checked = checked + P_reaction_mx;
     /* each limb: balance, eqs. (40)-(47); reactions, eq. (32) */
-    const LIMB4 t11 = OWN(upper_offset_x) * minus_upper_sent_fz - OWN(minus_upper_rate_my_2),
-      lower_sent_fz = OWN(t23) - minus_upper_sent_fz, lower_sent_my = t11 - (OWN(upper_moment_y) + OWN(t24)),
-      t12 = lower_cos * lower_sent_my,
-      minus_lower_joint_sent_mx = t67 * lower_sent_my + lower_cos * minus_lower_sent_mx,
-      t18 = U_0_cos * minus_lower_joint_sent_mx, t17 = signed_U_0_sin * minus_lower_joint_sent_mx,
-      t4 = t67 * lower_sent_fy, t2 = lower_cos * lower_sent_fy,
-      minus_lower_sent_fx = OWN(minus_lower_rate_fx) + OWN(minus_upper_force_x) - P_u,
-      minus_lower_joint_sent_fx = lower_cos * minus_lower_sent_fx + t4,
-      lower_joint_sent_fy = t2 - t67 * minus_lower_sent_fx;
+    const LIMB4 t4 = t67 * lower_sent_fy, t2 = lower_cos * lower_sent_fy,
+      lower_sent_fx = P_u - (OWN(minus_lower_rate_fx) + OWN(minus_upper_force_x)),
+      minus_lower_joint_sent_fx = t4 - lower_cos * lower_sent_fx, lower_joint_sent_fy = t67 * lower_sent_fx + t2;
     WRITE4(reactions, 0, 19, 36, 55, lower_joint_sent_fy);
     checked = checked + lower_joint_sent_fy;
-    const LIMB4 lower_joint_sent_my = t12 - t67 * minus_lower_sent_mx;
+    const LIMB4 t5 = signed_U_0_sin * minus_lower_joint_sent_fx, t7 = U_0_cos * minus_lower_joint_sent_fx,
+      minus_lower_sent_fz = minus_upper_sent_fz + OWN(t23),
+      t11 = OWN(upper_offset_x) * minus_upper_sent_fz - OWN(minus_upper_rate_my_2),
+      U_0_joint_sent_fx = t5 - U_0_cos * minus_lower_sent_fz;
+    WRITE4(reactions, 1, 18, 37, 54, U_0_joint_sent_fx);
+    const LIMB4 t19 = each_param_R_2 * U_0_joint_sent_fx,
+      signed_U_0_joint_sent_fy = t7 + signed_U_0_sin * minus_lower_sent_fz;
+    WRITE4(reactions, 2, 20, 38, 56, -sign3 * signed_U_0_joint_sent_fy);
+    const LIMB4 t14 = each_param_R * signed_U_0_joint_sent_fy, lower_sent_my = t11 - (OWN(upper_moment_y) + OWN(t24)),
+      t15 = t67 * lower_sent_my, lower_joint_sent_my = lower_cos * lower_sent_my - t67 * minus_lower_sent_mx;
     WRITE4(reactions, 3, 22, 39, 58, lower_joint_sent_my);
     checked = checked + lower_joint_sent_my;
-    const LIMB4 t7 = U_0_cos * minus_lower_joint_sent_fx,
-      U_0_joint_sent_fx = signed_U_0_sin * minus_lower_joint_sent_fx + U_0_cos * lower_sent_fz;
-    WRITE4(reactions, 1, 18, 37, 54, U_0_joint_sent_fx);
-    const LIMB4 signed_U_reaction_mz = t18 - each_param_R_2 * U_0_joint_sent_fx;
-    WRITE4(reactions, 5, 23, 41, 59, -sign3 * signed_U_reaction_mz);
+    const LIMB4 minus_lower_joint_sent_mx = t15 + lower_cos * minus_lower_sent_mx,
+      signed_U_reaction_mz = t19 - U_0_cos * minus_lower_joint_sent_mx;
+    WRITE4(reactions, 5, 23, 41, 59, sign3 * signed_U_reaction_mz);
     checked = checked + signed_U_reaction_mz;
-    const LIMB4 signed_U_0_joint_sent_fy = t7 - signed_U_0_sin * lower_sent_fz;
-    WRITE4(reactions, 2, 20, 38, 56, -sign3 * signed_U_0_joint_sent_fy);
-    const LIMB4 U_reaction_my = t17 - each_param_R * signed_U_0_joint_sent_fy;
+    const LIMB4 U_reaction_my = signed_U_0_sin * minus_lower_joint_sent_mx - t14;
     WRITE4(reactions, 4, 21, 40, 57, U_reaction_my);
     checked = checked + U_reaction_my;
     OWN(checked) = checked;
@@ -1010,8 +1008,8 @@ BODY(three_ups_upu_s_forward_dynamics_reactions)(size_t stride, const double *re
 #endif
 
 typedef struct {
-    EACH4 signed_lower_omega_y, signed_lower_omega_x, lower_alpha_still_x, t1, t2, t3, t4, t5, t6, t7, t8,
-      t9, t10, t11, t12, t13, t14, t15, t16, t17, t18, t19, t20, t21, checked;
+    EACH4 signed_lower_omega_y, signed_lower_omega_x, signed_lower_alpha_still_x, t1, t2, t3, t4, t5, t6,
+      t7, t8, t9, t10, t11, t12, t13, t14, t15, t16, t17, t18, t19, t20, t21, checked;
 } LIMBS(forward_dynamics_dense);
 
 STAGE(forward_dynamics_dense, 0)(size_t limb, size_t stride, const double *restrict q,
@@ -1023,21 +1021,18 @@ STAGE(forward_dynamics_dense, 0)(size_t limb, size_t stride, const double *restr
     REAL platform_twist_wx, LIMBS(forward_dynamics_dense) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), each_limb_lower_m = sign1 * limb_lower_m, each_k8 = -sign1 * k8,
-      factor_2 = sign1 * 2.0, sign2 = OF4(1.0, -1.0, 1.0, -1.0), each_gravity_z = -sign2 * gravity_z,
-      each_limb_lower_mx = sign1 * limb_lower_mx, each_gravity_z_limb_lower_mx = -sign2 * gravity_z_limb_lower_mx,
-      each_k12 = -sign1 * k12, each_limb_lower_mx_2 = -sign1 * limb_lower_mx, sign3 = OF4(1.0, -1.0, -1.0, 1.0),
-      each_k9 = -sign3 * k9, each_limb_lower_mx_3 = sign2 * limb_lower_mx, each_param_R = -sign1 * param_R;
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, -1.0, 1.0),
+      each_gravity_z = sign2 * gravity_z, each_gravity_z_limb_lower_mx = sign2 * gravity_z_limb_lower_mx,
+      each_gravity_z_2 = -sign2 * gravity_z, sign3 = OF4(1.0, -1.0, 1.0, -1.0);
     /* each limb: geometry */
     const LIMB4 upper_offset_x = IN_EACH4(READ, q, 2, 3) + limb_upper_phase;
     WRITE4(closure_, 14, 57, 99, 141, upper_offset_x);
     /* each limb: inertia; velocities, eq. (6) */
-    const LIMB4 t1 = each_limb_lower_m * upper_offset_x + each_k8, t57 = sign1 * upper_offset_x, t2 = t57 * t1,
-      U_mass_matrix_1_by_U_1 = t2 + k10;
+    const LIMB4 t2 = upper_offset_x * (limb_lower_m * upper_offset_x + (-k8)), U_mass_matrix_1_by_U_1 = t2 + k10;
     WRITE4(inertia_, 16, 64, 112, 160, U_mass_matrix_1_by_U_1);
     LIMB4 checked = U_mass_matrix_1_by_U_1;
-    const LIMB4 lower_cos = IN_EACH4(SINES, cosine, 1, 2), t3 = t2 + k9, t58 = sign1 * lower_cos,
-      U_mass_matrix_0_by_U_0 = t58 * (t58 * t3) + k4;
+    const LIMB4 lower_cos = IN_EACH4(SINES, cosine, 1, 2), t3 = t2 + k9, t57 = sign1 * lower_cos,
+      U_mass_matrix_0_by_U_0 = t57 * (t57 * t3) + k4;
     WRITE4(inertia_, 0, 48, 96, 144, U_mass_matrix_0_by_U_0);
     checked = checked + U_mass_matrix_0_by_U_0;
     const LIMB4 U_v_0 = IN_EACH4(READ, v, 0, 3), signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
@@ -1045,76 +1040,79 @@ STAGE(forward_dynamics_dense, 0)(size_t limb, size_t stride, const double *restr
     const LIMB4 U_v_1 = IN_EACH4(READ, v, 1, 3);
     /* each limb: accelerations; balance, eqs. (40)-(47); free motion */
     const LIMB4 signed_lower_alpha_still_y = U_v_1 * OWN(signed_lower_omega_x),
-      t8 = t57 * (2.0 * signed_lower_alpha_still_y), signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2),
-      t9 = t8 - each_gravity_z * signed_U_0_sin;
-    OWN(signed_lower_omega_y) = U_v_0 * t58;
-    const LIMB4 P_v = IN_EACH4(READ, v, 2, 3), t7 = P_v * (factor_2 * OWN(signed_lower_omega_y)),
-      minus_upper_acc_still_z = t7 - t9, minus_upper_acc_still_z_2 = t7 - t8, t60 = sign1 * OWN(signed_lower_omega_y),
-      signed_lower_U_still_xy = OWN(signed_lower_omega_x) * t60,
-      signed_upper_rate_my = each_limb_lower_mx * minus_upper_acc_still_z,
-      t11 = signed_upper_rate_my + t57 * (each_k8 * signed_lower_alpha_still_y - limb_lower_m * minus_upper_acc_still_z),
-      t59 = sign1 * t11,
-      t14 = t58 * (each_gravity_z_limb_lower_mx * signed_U_0_sin + each_k12 * signed_lower_alpha_still_y - t59);
-    OWN(lower_alpha_still_x) = U_v_1 * t60;
-    const LIMB4 signed_U_0_moment_z = t14 + signed_lower_sin * (k11 * OWN(lower_alpha_still_x));
-    WRITE4(load_, 0, 3, 6, 9, -sign1 * signed_U_0_moment_z);
-    checked = checked + signed_U_0_moment_z;
-    const LIMB4 t25 = t60 * t60, t18 = t57 * signed_lower_U_still_xy, U_0_cos = IN_EACH4(SINES, cosine, 0, 2),
-      minus_U_0_acc_y = each_gravity_z * U_0_cos, t61 = sign1 * (signed_lower_sin * minus_U_0_acc_y),
-      signed_lower_acc_x = t58 * minus_U_0_acc_y, t19 = t18 + t61, t17 = P_v * (2.0 * U_v_1),
-      upper_acc_still_y = t17 + t19, upper_acc_still_y_2 = t18 + t17,
-      t62 = sign3 * (each_k9 * signed_lower_U_still_xy + each_limb_lower_mx_3 * (upper_acc_still_y - t61)),
-      signed_lower_moment_z = t57 * (each_limb_lower_mx_2 * signed_lower_U_still_xy + limb_lower_m * upper_acc_still_y) - t62;
-    WRITE4(load_, 1, 4, 7, 10, -sign1 * signed_lower_moment_z);
-    checked = checked + signed_lower_moment_z;
-    const LIMB4 minus_lower_U_still_xx = t25 + U_v_1 * U_v_1, signed_upper_acc_still_x = t57 * minus_lower_U_still_xx,
-      signed_lower_force_x = (-limb_lower_m) * (signed_upper_acc_still_x + signed_lower_acc_x),
-      minus_P_generalised_force = IN_EACH4(READ, u, 0, 1) + sign1 * (each_limb_lower_mx_2 * minus_lower_U_still_xx - signed_lower_force_x);
+      t8 = upper_offset_x * (2.0 * signed_lower_alpha_still_y), signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2),
+      t9 = t8 + each_gravity_z * signed_U_0_sin;
+    OWN(signed_lower_omega_y) = U_v_0 * t57;
+    const LIMB4 lower_U_still_xy = OWN(signed_lower_omega_x) * OWN(signed_lower_omega_y),
+      P_v = IN_EACH4(READ, v, 2, 3), t7 = P_v * (2.0 * OWN(signed_lower_omega_y)), signed_upper_acc_still_z = t7 - t9,
+      signed_upper_acc_still_z_2 = t8 - t7, signed_upper_rate_my = limb_lower_mx * signed_upper_acc_still_z,
+      t11 = upper_offset_x * (k8 * signed_lower_alpha_still_y + limb_lower_m * signed_upper_acc_still_z) - signed_upper_rate_my,
+      t14 = t57 * (each_gravity_z_limb_lower_mx * signed_U_0_sin + k12 * signed_lower_alpha_still_y - t11);
+    OWN(signed_lower_alpha_still_x) = U_v_1 * OWN(signed_lower_omega_y);
+    const LIMB4 minus_U_0_moment_z = t14 - signed_lower_sin * (k11 * OWN(signed_lower_alpha_still_x));
+    WRITE4(load_, 0, 3, 6, 9, minus_U_0_moment_z);
+    checked = checked + minus_U_0_moment_z;
+    const LIMB4 t25 = OWN(signed_lower_omega_y) * OWN(signed_lower_omega_y), t18 = upper_offset_x * lower_U_still_xy,
+      U_0_cos = IN_EACH4(SINES, cosine, 0, 2), signed_U_0_acc_y = each_gravity_z_2 * U_0_cos,
+      lower_acc_y = signed_lower_sin * signed_U_0_acc_y, minus_lower_acc_x = t57 * signed_U_0_acc_y,
+      t19 = t18 + lower_acc_y, t17 = P_v * (2.0 * U_v_1), upper_acc_still_y = t17 + t19,
+      upper_acc_still_y_2 = t18 + t17,
+      t24 = limb_lower_mx * (upper_acc_still_y - lower_acc_y) - k9 * lower_U_still_xy,
+      minus_lower_moment_z = t24 - upper_offset_x * (limb_lower_m * upper_acc_still_y - limb_lower_mx * lower_U_still_xy);
+    WRITE4(load_, 1, 4, 7, 10, minus_lower_moment_z);
+    checked = checked + minus_lower_moment_z;
+    const LIMB4 minus_lower_U_still_xx = t25 + U_v_1 * U_v_1,
+      minus_upper_acc_still_x = upper_offset_x * minus_lower_U_still_xx,
+      minus_lower_force_x = limb_lower_m * (minus_upper_acc_still_x + minus_lower_acc_x),
+      minus_P_generalised_force = IN_EACH4(READ, u, 0, 1) + (minus_lower_force_x - limb_lower_mx * minus_lower_U_still_xx);
     WRITE4(load_, 2, 5, 8, 11, minus_P_generalised_force);
     checked = checked + minus_P_generalised_force;
-    const LIMB4 base_lever_mx_by_S_fx = param_R * (U_0_cos * t58);
+    const LIMB4 base_lever_mx_by_S_fx = param_R * (U_0_cos * t57);
     /* each limb: loop closure; reciprocal wrenches, eq. (10); geometry */
     OWN(t1) = platform_turn_yx * base_lever_mx_by_S_fx;
     OWN(t7) = platform_turn_yy * base_lever_mx_by_S_fx;
     OWN(t13) = platform_turn_yz * base_lever_mx_by_S_fx;
-    const LIMB4 signed_base_lever_mz_by_S_fx = param_R * (signed_U_0_sin * t58);
+    const LIMB4 signed_base_lever_mz_by_S_fx = param_R * (signed_U_0_sin * t57);
     OWN(t2) = platform_turn_zx * signed_base_lever_mz_by_S_fx;
     OWN(t8) = platform_turn_zy * signed_base_lever_mz_by_S_fx;
     OWN(t14) = platform_turn_zz * signed_base_lever_mz_by_S_fx;
-    const LIMB4 signed_S_arm_x = t57 + each_param_R * signed_lower_sin,
-      signed_base_lever_mx_by_S_fy = U_0_cos * signed_S_arm_x;
-    OWN(t3) = platform_turn_yx * signed_base_lever_mx_by_S_fy;
-    OWN(t9) = platform_turn_yy * signed_base_lever_mx_by_S_fy;
-    OWN(t15) = platform_turn_yz * signed_base_lever_mx_by_S_fy;
-    const LIMB4 signed_base_lever_mz_by_S_fy = signed_U_0_sin * signed_S_arm_x;
+    const LIMB4 S_arm_x = upper_offset_x - param_R * signed_lower_sin, base_lever_mx_by_S_fy = U_0_cos * S_arm_x;
+    OWN(t3) = platform_turn_yx * base_lever_mx_by_S_fy;
+    OWN(t9) = platform_turn_yy * base_lever_mx_by_S_fy;
+    OWN(t15) = platform_turn_yz * base_lever_mx_by_S_fy;
+    const LIMB4 signed_base_lever_mz_by_S_fy = signed_U_0_sin * S_arm_x;
     OWN(t4) = platform_turn_zx * signed_base_lever_mz_by_S_fy;
     OWN(t10) = platform_turn_zy * signed_base_lever_mz_by_S_fy;
     OWN(t16) = platform_turn_zz * signed_base_lever_mz_by_S_fy;
-    const LIMB4 upper_position_x = signed_lower_sin * t57 + each_param_R, minus_U_0_lever_mz_by_S_fz = t58 * t57;
-    WRITE4(closure_, 2, 45, 87, 129, -minus_U_0_lever_mz_by_S_fz);
-    const LIMB4 signed_base_lever_mz_by_S_fz = U_0_cos * upper_position_x;
+    const LIMB4 signed_upper_position_x = signed_lower_sin * upper_offset_x + (-param_R),
+      signed_U_0_lever_mz_by_S_fz = t57 * upper_offset_x;
+    WRITE4(closure_, 2, 45, 87, 129, -sign1 * signed_U_0_lever_mz_by_S_fz);
+    const LIMB4 signed_base_lever_mz_by_S_fz = U_0_cos * signed_upper_position_x;
     OWN(t5) = platform_turn_zx * signed_base_lever_mz_by_S_fz;
-    const LIMB4 minus_base_lever_mx_by_S_fz = signed_U_0_sin * upper_position_x;
+    const LIMB4 signed_base_lever_mx_by_S_fz = signed_U_0_sin * signed_upper_position_x;
     OWN(t11) = platform_turn_zy * signed_base_lever_mz_by_S_fz;
     OWN(t17) = platform_turn_zz * signed_base_lever_mz_by_S_fz;
-    OWN(t6) = platform_turn_xx * minus_U_0_lever_mz_by_S_fz + platform_turn_yx * minus_base_lever_mx_by_S_fz;
-    const LIMB4 t33 = platform_turn_yz * minus_base_lever_mx_by_S_fz;
-    OWN(t12) = platform_turn_xy * minus_U_0_lever_mz_by_S_fz + platform_turn_yy * minus_base_lever_mx_by_S_fz;
-    OWN(t18) = platform_turn_xz * minus_U_0_lever_mz_by_S_fz + t33;
-    const LIMB4 t64 = sign2 * platform_twist_wz, t46 = signed_U_0_sin * t64,
-      t36 = signed_U_0_sin * platform_twist_wy - U_0_cos * t64, t39 = t58 * t36;
-    OWN(t19) = signed_lower_sin * t36 + t58 * platform_twist_wx;
-    OWN(t20) = t39 - signed_lower_sin * platform_twist_wx;
-    const LIMB4 signed_S_arm_y = param_R * lower_cos, t43 = signed_S_arm_y * OWN(t20) - signed_S_arm_x * OWN(t19),
-      t44 = OWN(t19) * t43, t52 = OWN(t20) * t43;
-    OWN(t21) = U_0_cos * platform_twist_wy + t46;
-    const LIMB4 t47 = signed_S_arm_x * OWN(t21), t50 = signed_S_arm_y * OWN(t21), t54 = OWN(t20) * t47,
-      signed_S_opening_bias_fx = signed_upper_acc_still_x + (t44 - OWN(t21) * t47);
-    WRITE4(curvature_, 0, 4, 7, 10, -sign1 * signed_S_opening_bias_fx);
-    checked = checked + signed_S_opening_bias_fx;
-    const LIMB4 t53 = OWN(t21) * t50 + t52, S_opening_bias_fz = t54 + OWN(t19) * t50 - minus_upper_acc_still_z_2;
-    WRITE4(curvature_, 2, 6, 9, 12, S_opening_bias_fz);
-    checked = checked + S_opening_bias_fz;
+    const LIMB4 t29 = platform_turn_yx * signed_base_lever_mx_by_S_fz;
+    OWN(t6) = platform_turn_xx * signed_U_0_lever_mz_by_S_fz + t29;
+    const LIMB4 t31 = platform_turn_yy * signed_base_lever_mx_by_S_fz,
+      t33 = platform_turn_yz * signed_base_lever_mx_by_S_fz;
+    OWN(t12) = platform_turn_xy * signed_U_0_lever_mz_by_S_fz + t31;
+    OWN(t18) = platform_turn_xz * signed_U_0_lever_mz_by_S_fz + t33;
+    const LIMB4 t58 = sign3 * platform_twist_wz, t35 = signed_U_0_sin * t58,
+      t40 = signed_U_0_sin * platform_twist_wy - U_0_cos * t58, t43 = t57 * t40;
+    OWN(t20) = signed_lower_sin * t40 + t57 * platform_twist_wx;
+    const LIMB4 t59 = sign1 * OWN(t20), t46 = S_arm_x * t59;
+    OWN(t21) = t43 - signed_lower_sin * platform_twist_wx;
+    const LIMB4 signed_S_arm_y = param_R * lower_cos, t47 = t46 - signed_S_arm_y * OWN(t21), t48 = t59 * t47,
+      t52 = OWN(t21) * t47;
+    OWN(t19) = U_0_cos * platform_twist_wy + t35;
+    const LIMB4 t36 = S_arm_x * OWN(t19), t50 = signed_S_arm_y * OWN(t19), t55 = t59 * t50,
+      t53 = OWN(t19) * t50 - t52, S_opening_bias_fx = OWN(t19) * t36 + t48 - minus_upper_acc_still_x;
+    WRITE4(curvature_, 0, 4, 7, 10, S_opening_bias_fx);
+    checked = checked + S_opening_bias_fx;
+    const LIMB4 signed_S_opening_bias_fz = signed_upper_acc_still_z_2 + (OWN(t21) * t36 + t55);
+    WRITE4(curvature_, 2, 6, 9, 12, sign1 * signed_S_opening_bias_fz);
+    checked = checked + signed_S_opening_bias_fz;
     const LIMB4 S_opening_bias_fy = upper_acc_still_y_2 - sign1 * t53;
     WRITE4(curvature_, 1, 5, 8, 11, S_opening_bias_fy);
     checked = checked + S_opening_bias_fy;
@@ -1173,30 +1171,24 @@ BODY(three_ups_upu_s_forward_dynamics_dense)(size_t stride, const double *restri
     checked0 = checked0 + ALONE(limbs.checked[2]);
     NEXT_LIMB(3, forward_dynamics_dense, 0, stride, q, v, u, inertia_, load_, closure_, curvature_, sine, cosine, platform_turn_xx, platform_turn_zx, platform_turn_yx, platform_turn_xy, platform_turn_zy, platform_turn_yy, platform_turn_xz, platform_turn_zz, platform_turn_yz, platform_twist_wx, platform_twist_wz, platform_twist_wy, &limbs);
     checked1 = checked1 + ALONE(limbs.checked[3]);
-    RESULT(checked2, closure_, 164, limbs.t3[2] + limbs.t4[2]);
-    RESULT(checked3, closure_, 165, limbs.t6[2] - limbs.t5[2]);
-    RESULT(checked0, closure_, 166, limbs.t2[3] - limbs.t1[3]);
-    RESULT(checked1, closure_, 167, limbs.t3[3] - limbs.t4[3]);
-    RESULT(checked2, closure_, 168, limbs.t5[3] + limbs.t6[3]);
-    RESULT(checked3, closure_, 177, limbs.t9[2] + limbs.t10[2]);
-    RESULT(checked0, closure_, 178, limbs.t12[2] - limbs.t11[2]);
-    RESULT(checked1, closure_, 179, limbs.t8[3] - limbs.t7[3]);
-    RESULT(checked2, closure_, 180, limbs.t9[3] - limbs.t10[3]);
-    RESULT(checked3, closure_, 181, limbs.t11[3] + limbs.t12[3]);
-    RESULT(checked0, closure_, 190, limbs.t15[2] + limbs.t16[2]);
-    RESULT(checked1, closure_, 191, limbs.t18[2] - limbs.t17[2]);
-    RESULT(checked2, closure_, 192, limbs.t14[3] - limbs.t13[3]);
-    RESULT(checked3, closure_, 193, limbs.t15[3] - limbs.t16[3]);
-    RESULT(checked0, closure_, 194, limbs.t17[3] + limbs.t18[3]);
+    RESULT(checked2, closure_, 165, limbs.t5[2] - limbs.t6[2]);
+    RESULT(checked3, closure_, 166, limbs.t2[3] - limbs.t1[3]);
+    RESULT(checked0, closure_, 167, limbs.t4[3] - limbs.t3[3]);
+    RESULT(checked1, closure_, 178, limbs.t11[2] - limbs.t12[2]);
+    RESULT(checked2, closure_, 179, limbs.t8[3] - limbs.t7[3]);
+    RESULT(checked3, closure_, 180, limbs.t10[3] - limbs.t9[3]);
+    RESULT(checked0, closure_, 191, limbs.t17[2] - limbs.t18[2]);
+    RESULT(checked1, closure_, 192, limbs.t14[3] - limbs.t13[3]);
+    RESULT(checked2, closure_, 193, limbs.t16[3] - limbs.t15[3]);
     /* limb1: accelerations */
     const REAL limb1_U_v_1 = READ(v, 1);
     /* limb1: loop closure; geometry; reciprocal wrenches, eq. (10) */
-    const REAL t72 = limb1_U_v_1 - limbs.t21[0], t73 = limbs.signed_lower_omega_y[0] * t72,
-      t74 = limbs.signed_lower_omega_y[0] - limbs.t19[0], limb1_U_0_sin = SINES(sine, 0),
-      limb1_U_0_cos = SINES(cosine, 0), t77 = limbs.lower_alpha_still_x[0] - (t73 - limb1_U_v_1 * t74),
+    const REAL t72 = limb1_U_v_1 - limbs.t19[0], t73 = limbs.signed_lower_omega_y[0] * t72,
+      t74 = limbs.signed_lower_omega_y[0] - limbs.t20[0], limb1_U_0_sin = SINES(sine, 0),
+      limb1_U_0_cos = SINES(cosine, 0), t77 = limbs.signed_lower_alpha_still_x[0] - (t73 - limb1_U_v_1 * t74),
       limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy,
       t78 = limb1_U2_constraint_mn_couple_x * t77, t79 = limbs.signed_lower_omega_x[0] * t74,
-      t80 = limbs.signed_lower_omega_x[0] + limbs.t20[0], t82 = t79 - limbs.signed_lower_omega_y[0] * t80,
+      t80 = limbs.signed_lower_omega_x[0] + limbs.t21[0], t82 = t79 - limbs.signed_lower_omega_y[0] * t80,
       t25 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy, limb1_lower_cos = SINES(cosine, 1),
       limb1_lower_sin = SINES(sine, 1), t85 = limb1_lower_sin * t25,
       limb1_U2_constraint_mn_couple_z = limb1_lower_cos * t25 - limb1_lower_sin * platform_turn_xy;
@@ -1204,12 +1196,12 @@ BODY(three_ups_upu_s_forward_dynamics_dense)(size_t stride, const double *restri
     const REAL t84 = t78 - limb1_U2_constraint_mn_couple_z * t82,
       limb1_U2_opening_mn = t85 + limb1_lower_cos * platform_turn_xy,
       t90 = t80 * (limb1_U2_opening_mn * t80 + limb1_U2_constraint_mn_couple_z * t74);
-    RESULT(checked1, curvature_, 3, t84 - (t90 - t72 * (limb1_U2_constraint_mn_couple_x * t74 - limb1_U2_opening_mn * t72)));
+    RESULT(checked3, curvature_, 3, t84 - (t90 - t72 * (limb1_U2_constraint_mn_couple_x * t74 - limb1_U2_opening_mn * t72)));
     const REAL t31 = limbs.t1[0] + limbs.t2[0]; /* mechanism */
-    checked2 = checked2 + t31; /* mechanism */
+    checked0 = checked0 + t31; /* mechanism */
     WRITE(closure_, 156, -t31);
     const REAL t32 = limbs.t3[0] + limbs.t4[0]; /* mechanism */
-    checked3 = checked3 + t32; /* mechanism */
+    checked1 = checked1 + t32; /* mechanism */
     WRITE(closure_, 157, -t32);
     const REAL t34 = limb1_U_0_cos * limb1_U2_constraint_mn_couple_z,
       t37 = limb1_U_0_sin * limb1_U2_constraint_mn_couple_z,
@@ -1224,19 +1216,25 @@ BODY(three_ups_upu_s_forward_dynamics_dense)(size_t stride, const double *restri
       t36 = t33 + platform_turn_yx * base_lever_my_by_limb1_U2_mn,
       base_lever_mz_by_limb1_U2_mn = t37 + limb1_U_0_cos * limb1_U_0_lever_my_by_limb1_U2_mn,
       t40 = t36 + platform_turn_zx * base_lever_mz_by_limb1_U2_mn;
-    checked0 = checked0 + t40;
+    checked2 = checked2 + t40;
     WRITE(closure_, 159, -t40);
     const REAL t46 = t44 + platform_turn_yy * base_lever_my_by_limb1_U2_mn,
       t56 = t54 + platform_turn_yz * base_lever_my_by_limb1_U2_mn,
       t48 = t46 + platform_turn_zy * base_lever_mz_by_limb1_U2_mn;
-    checked1 = checked1 + t48;
+    checked3 = checked3 + t48;
     WRITE(closure_, 172, -t48);
     const REAL t58 = t56 + platform_turn_zz * base_lever_mz_by_limb1_U2_mn;
-    checked2 = checked2 + t58;
+    checked0 = checked0 + t58;
     WRITE(closure_, 185, -t58);
     const REAL minus_closure_163 = limbs.t1[2] + limbs.t2[2];
-    checked3 = checked3 + minus_closure_163;
+    checked1 = checked1 + minus_closure_163;
     WRITE(closure_, 163, -minus_closure_163);
+    const REAL t41 = limbs.t3[2] + limbs.t4[2];
+    checked2 = checked2 + t41;
+    WRITE(closure_, 164, -t41);
+    const REAL minus_closure_168 = limbs.t5[3] + limbs.t6[3];
+    checked3 = checked3 + minus_closure_168;
+    WRITE(closure_, 168, -minus_closure_168);
     const REAL t42 = limbs.t7[0] + limbs.t8[0];
     checked0 = checked0 + t42;
     WRITE(closure_, 169, -t42);
@@ -1246,15 +1244,27 @@ BODY(three_ups_upu_s_forward_dynamics_dense)(size_t stride, const double *restri
     const REAL minus_closure_176 = limbs.t7[2] + limbs.t8[2];
     checked2 = checked2 + minus_closure_176;
     WRITE(closure_, 176, -minus_closure_176);
-    const REAL minus_closure_189 = limbs.t13[2] + limbs.t14[2];
-    checked3 = checked3 + minus_closure_189;
-    WRITE(closure_, 189, -minus_closure_189);
+    const REAL t49 = limbs.t9[2] + limbs.t10[2];
+    checked3 = checked3 + t49;
+    WRITE(closure_, 177, -t49);
+    const REAL minus_closure_181 = limbs.t11[3] + limbs.t12[3];
+    checked0 = checked0 + minus_closure_181;
+    WRITE(closure_, 181, -minus_closure_181);
+    const REAL minus_closure_194 = limbs.t17[3] + limbs.t18[3];
+    checked1 = checked1 + minus_closure_194;
+    WRITE(closure_, 194, -minus_closure_194);
     const REAL t52 = limbs.t13[0] + limbs.t14[0];
-    checked0 = checked0 + t52;
+    checked2 = checked2 + t52;
     WRITE(closure_, 182, -t52);
     const REAL t53 = limbs.t15[0] + limbs.t16[0];
-    checked1 = checked1 + t53;
+    checked3 = checked3 + t53;
     WRITE(closure_, 183, -t53);
+    const REAL minus_closure_189 = limbs.t13[2] + limbs.t14[2];
+    checked0 = checked0 + minus_closure_189;
+    WRITE(closure_, 189, -minus_closure_189);
+    const REAL t59 = limbs.t15[2] + limbs.t16[2];
+    checked1 = checked1 + t59;
+    WRITE(closure_, 190, -t59);
     WRITE(inertia_, 32, CONSTANT(limb_lower_m));
     WRITE(inertia_, 80, CONSTANT(limb_lower_m));
     WRITE(inertia_, 128, CONSTANT(limb_lower_m));
@@ -1557,9 +1567,9 @@ STAGE(forward_dynamics_reactions_wrenches, 2)(size_t limb, size_t stride, double
     WRITE4(reactions, 5, 23, 41, 59, sign4 * signed_U_reactions_mz);
     checked = checked + signed_U_reactions_mz;
     const LIMB4 t15 = t18 * platform_turn_xy,
-      P_reactions_my = t18 * upper_rate_mx - lower_cos * OWN(minus_upper_rate_my_2) - OWN(t4);
-    WRITE4(reactions, 9, 28, 45, 64, P_reactions_my);
-    checked = checked + P_reactions_my;
+      P_reactions_mx = t18 * upper_rate_mx - lower_cos * OWN(minus_upper_rate_my_2) - OWN(t4);
+    WRITE4(reactions, 9, 28, 45, 64, P_reactions_mx);
+    checked = checked + P_reactions_mx;
     const LIMB4 t12 = OWN(lower_rotation_yy) * OWN(minus_upper_rate_my_2);
     OWN(t6) = t12 + OWN(minus_lower_rotation_yx) * upper_rate_mx;
     OWN(U2_constraint_mn_couple_z) = lower_cos * (sign2 * multipliers_5) - t15;
@@ -1580,9 +1590,9 @@ STAGE(forward_dynamics_reactions_wrenches, 3)(size_t limb, size_t stride, double
     const LIMB4 P_reactions_my = OWN(t5) - (OWN(t6) + IN_EACH4(SINES, cosine, 0, 2) * minus_upper_rate_mz_2);
     WRITE4(reactions, 10, 27, 46, 63, P_reactions_my);
     LIMB4 checked = OWN(checked) + P_reactions_my;
-    const LIMB4 P_reactions_mz = OWN(t12) - IN_EACH4(SINES, sine, 0, 2) * minus_upper_rate_mz_2 + OWN(t13);
-    WRITE4(reactions, 11, 29, 47, 65, sign1 * P_reactions_mz);
-    checked = checked + P_reactions_mz;
+    const LIMB4 signed_P_reactions_mz = OWN(t12) - IN_EACH4(SINES, sine, 0, 2) * minus_upper_rate_mz_2 + OWN(t13);
+    WRITE4(reactions, 11, 29, 47, 65, sign1 * signed_P_reactions_mz);
+    checked = checked + signed_P_reactions_mz;
     OWN(signed_S_reactions_mz) = OWN(minus_upper_position_y) * S_reactions_fx - given;
     OWN(checked) = checked;
 }
@@ -1637,7 +1647,7 @@ BODY(three_ups_upu_s_forward_dynamics_reactions_wrenches)(size_t stride, const d
     const REAL limb1_U_0_cos = SINES(cosine, 0), t21 = limb1_U_0_cos * multipliers_2, t22 = t21 - limbs.t3[0];
     WRITE(reactions, 13, -t22);
     const REAL limb1_U_0_sin = SINES(sine, 0), t23 = limbs.signed_upper_position_z[0] * t22,
-      t99 = -(limbs.upper_position_x[0] * t22), t20 = limb1_U_0_sin * multipliers_2,
+      t87 = -(limbs.upper_position_x[0] * t22), t20 = limb1_U_0_sin * multipliers_2,
       multipliers_3 = READ(multipliers_, 3);
     FIRST_LIMB(0, forward_dynamics_reactions_wrenches, 1, stride, reactions, sine, cosine, limbs.t2[0], multipliers_3, platform_turn_yy, platform_turn_zy, t20, &limbs);
     const REAL limb1_lower_sin = SINES(sine, 1);
@@ -1653,7 +1663,7 @@ BODY(three_ups_upu_s_forward_dynamics_reactions_wrenches)(size_t stride, const d
     const REAL platform_turn_yx = t18 + t19;
     RESULT(checked3, sized_, 3, per_length * limbs.lower_joint_sent_mx[0]);
     RESULT(checked0, sized_, 4, per_length * limbs.lower_joint_sent_my[0]);
-    FIRST_LIMB(0, forward_dynamics_reactions_wrenches, 3, stride, reactions, sine, cosine, limbs.signed_upper_sent_mz[0], limbs.t7[0], t99, &limbs);
+    FIRST_LIMB(0, forward_dynamics_reactions_wrenches, 3, stride, reactions, sine, cosine, limbs.signed_upper_sent_mz[0], limbs.t7[0], t87, &limbs);
     checked1 = checked1 + ALONE(limbs.checked[0]);
     const REAL t27 = limb1_U_0_cos * limbs.minus_U2_joint_reaction_mz[0], /* limb1 */
       t28 = limbs.minus_lower_rotation_yx[0] * limbs.minus_U2_joint_reaction_mx[0] - t27; /* limb1 */
@@ -1694,7 +1704,7 @@ BODY(three_ups_upu_s_forward_dynamics_reactions_wrenches)(size_t stride, const d
     checked1 = checked1 + limbs.signed_upper_sent_mz[2];
     const REAL t56 = t55 - limbs.U2_constraint_mn_couple_z[2];
     RESULT(checked2, sized_, 39, per_length * limbs.lower_joint_sent_mx[2]);
-    RESULT(checked3, sized_, 40, per_length * limbs.lower_joint_sent_my[2]); /* limb3 */
+    RESULT(checked3, sized_, 40, per_length * limbs.lower_joint_sent_my[2]);
     const REAL platform_joint_sent_fx = t56 + (limbs.t1[3] - limbs.t8[3]);
     WRITE(reactions, 72, platform_joint_sent_fx);
     WRITE(sized_, 72, platform_joint_sent_fx);
@@ -1719,8 +1729,8 @@ BODY(three_ups_upu_s_forward_dynamics_reactions_wrenches)(size_t stride, const d
     WRITE(sized_, 73, platform_joint_sent_fy);
     checked1 = checked1 + platform_joint_sent_fy;
     RESULT(checked2, sized_, 57, per_length * limbs.lower_joint_sent_mx[3]);
-    RESULT(checked3, sized_, 58, per_length * limbs.lower_joint_sent_my[3]); /* limb4 */
-    const REAL t100 = -(limbs.upper_position_x[1] * limbs.U2_constraint_mn_couple_x[1]),
+    RESULT(checked3, sized_, 58, per_length * limbs.lower_joint_sent_my[3]);
+    const REAL t88 = -(limbs.upper_position_x[1] * limbs.U2_constraint_mn_couple_x[1]),
       t83 = t79 - (limbs.t2[1] + limbs.t9[1]) + (limbs.t2[2] + limbs.t9[2]);
     NEXT_LIMB(2, forward_dynamics_reactions_wrenches, 3, stride, reactions, sine, cosine, limbs.minus_upper_rate_mz_2[2], limbs.U2_constraint_mn_couple_z[2], limbs.upper_position_x[2] * limbs.U2_constraint_mn_couple_x[2], &limbs);
     WRITE(reactions, 53, limbs.signed_S_reactions_mz[2]);
@@ -1734,46 +1744,45 @@ BODY(three_ups_upu_s_forward_dynamics_reactions_wrenches)(size_t stride, const d
     checked3 = checked3 + limbs.signed_S_reactions_mz[3];
     checked0 = checked0 + ALONE(limbs.checked[3]);
     WRITE(reactions, 71, -limbs.signed_S_reactions_mz[3]);
-    NEXT_LIMB(1, forward_dynamics_reactions_wrenches, 3, stride, reactions, sine, cosine, limbs.minus_upper_rate_mz_2[1], -limbs.U2_constraint_mn_couple_z[1], t100, &limbs);
+    NEXT_LIMB(1, forward_dynamics_reactions_wrenches, 3, stride, reactions, sine, cosine, limbs.minus_upper_rate_mz_2[1], -limbs.U2_constraint_mn_couple_z[1], t88, &limbs);
     WRITE(reactions, 35, limbs.signed_S_reactions_mz[1]);
     checked1 = checked1 + limbs.signed_S_reactions_mz[1];
     checked2 = checked2 + ALONE(limbs.checked[1]);
-    /* limb1: reactions, eq. (32) */
-    const REAL t36 = limb1_U_0_sin * limbs.minus_U2_joint_reaction_mz[0],
+    const REAL t36 = limb1_U_0_sin * limbs.minus_U2_joint_reaction_mz[0], /* limb1 */
       minus_limb1_U2_reactions_mz = limbs.signed_S_reactions_mz[0] + (limbs.signed_lower_rotation_zx[0] * limbs.minus_U2_joint_reaction_mx[0] + t36);
     checked3 = checked3 + minus_limb1_U2_reactions_mz;
     WRITE(reactions, 17, -minus_limb1_U2_reactions_mz);
-    /* limb1: results */
-    const REAL t85 = per_length * limbs.minus_upper_rate_my_2[0];
-    checked0 = checked0 + t85;
-    WRITE(sized_, 10, -t85);
-    const REAL t87 = per_length * limbs.minus_U2_joint_reaction_mx[0];
-    checked1 = checked1 + t87;
-    WRITE(sized_, 15, -t87);
-    const REAL t86 = per_length * limbs.signed_upper_sent_mz[0];
-    checked2 = checked2 + t86;
-    WRITE(sized_, 11, -t86);
-    const REAL t88 = per_length * limbs.minus_U2_joint_reaction_mz[0];
-    checked3 = checked3 + t88;
-    WRITE(sized_, 17, -t88);
-    const REAL t89 = per_length * limbs.minus_upper_rate_my_2[1]; /* limb2 */
-    checked0 = checked0 + t89; /* limb2 */
-    WRITE(sized_, 28, -t89);
-    const REAL t90 = per_length * limbs.minus_upper_rate_mz_2[1]; /* limb2 */
-    checked1 = checked1 + t90; /* limb2 */
-    WRITE(sized_, 29, -t90);
-    const REAL t92 = per_length * limbs.minus_upper_rate_my_2[2]; /* limb3 */
-    checked2 = checked2 + t92; /* limb3 */
-    WRITE(sized_, 46, -t92);
-    const REAL t93 = per_length * limbs.minus_upper_rate_mz_2[2]; /* limb3 */
-    checked3 = checked3 + t93; /* limb3 */
-    WRITE(sized_, 47, -t93);
-    const REAL t95 = per_length * limbs.minus_upper_rate_my_2[3]; /* limb4 */
-    checked0 = checked0 + t95; /* limb4 */
-    WRITE(sized_, 64, -t95);
-    const REAL t96 = per_length * limbs.minus_upper_rate_mz_2[3]; /* limb4 */
-    checked1 = checked1 + t96; /* limb4 */
-    WRITE(sized_, 65, -t96);
+    /* mechanism: results */
+    const REAL minus_sized_10 = per_length * limbs.minus_upper_rate_my_2[0];
+    checked0 = checked0 + minus_sized_10;
+    WRITE(sized_, 10, -minus_sized_10);
+    const REAL minus_sized_15 = per_length * limbs.minus_U2_joint_reaction_mx[0];
+    checked1 = checked1 + minus_sized_15;
+    WRITE(sized_, 15, -minus_sized_15);
+    const REAL minus_sized_11 = per_length * limbs.signed_upper_sent_mz[0];
+    checked2 = checked2 + minus_sized_11;
+    WRITE(sized_, 11, -minus_sized_11);
+    const REAL minus_sized_17 = per_length * limbs.minus_U2_joint_reaction_mz[0];
+    checked3 = checked3 + minus_sized_17;
+    WRITE(sized_, 17, -minus_sized_17);
+    const REAL minus_sized_28 = per_length * limbs.minus_upper_rate_my_2[1];
+    checked0 = checked0 + minus_sized_28;
+    WRITE(sized_, 28, -minus_sized_28);
+    const REAL minus_sized_29 = per_length * limbs.minus_upper_rate_mz_2[1];
+    checked1 = checked1 + minus_sized_29;
+    WRITE(sized_, 29, -minus_sized_29);
+    const REAL minus_sized_46 = per_length * limbs.minus_upper_rate_my_2[2];
+    checked2 = checked2 + minus_sized_46;
+    WRITE(sized_, 46, -minus_sized_46);
+    const REAL minus_sized_47 = per_length * limbs.minus_upper_rate_mz_2[2];
+    checked3 = checked3 + minus_sized_47;
+    WRITE(sized_, 47, -minus_sized_47);
+    const REAL minus_sized_64 = per_length * limbs.minus_upper_rate_my_2[3];
+    checked0 = checked0 + minus_sized_64;
+    WRITE(sized_, 64, -minus_sized_64);
+    const REAL minus_sized_65 = per_length * limbs.minus_upper_rate_mz_2[3];
+    checked1 = checked1 + minus_sized_65;
+    WRITE(sized_, 65, -minus_sized_65);
     WRITE(reactions, 75, CONSTANT(0.0));
     WRITE(reactions, 76, CONSTANT(0.0));
     WRITE(reactions, 77, CONSTANT(0.0));

@@ -734,14 +734,12 @@ typedef struct {
 } LIMBS(inverse_dynamics_platform);
 
 STAGE(inverse_dynamics_platform, 0)(size_t limb, size_t stride, REAL given, REAL given_2, REAL given_3,
-    REAL given_4, REAL given_5, REAL given_6, REAL platform_twist_wz, REAL platform_twist_wx,
-    REAL platform_twist_wy, REAL given_7, REAL given_8, REAL given_9, REAL given_10, REAL given_11,
-    REAL given_12, LIMBS(inverse_dynamics_platform) *own)
+    REAL given_4, REAL given_5, REAL given_6, LIMBS(inverse_dynamics_platform) *own)
 {
     (void)limb, (void)stride;
     const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, 1.0, 1.0),
-      each_param_R = -sign2 * param_R, sign3 = OF4(1.0, -1.0, 1.0, -1.0);
-    /* each limb: geometry; reciprocal wrenches, eq. (10) */
+      each_param_R = -sign2 * param_R;
+    /* each limb: geometry; loop closure; reciprocal wrenches, eq. (10) */
     OWN(signed_lower_limb_target_x) = given_5 - sign1 * given_6;
     const LIMB4 t1 = OWN(signed_lower_limb_target_x) * OWN(signed_lower_limb_target_x);
     OWN(signed_lower_limb_target_y) = given - sign1 * given_2;
@@ -749,54 +747,61 @@ STAGE(inverse_dynamics_platform, 0)(size_t limb, size_t stride, REAL given, REAL
     OWN(signed_upper_position_x) = given_3 - sign1 * given_4;
     const LIMB4 signed_lower_limb_target_z = OWN(signed_upper_position_x) + each_param_R;
     OWN(lower_limb_length) = SQRT4(t3 + signed_lower_limb_target_z * signed_lower_limb_target_z);
-    OWN(signed_U_0_lever_mz_by_S_fz) = SQRT4(t3);
     OWN(t1) = 1.0 / OWN(lower_limb_length);
     OWN(signed_lower_sin) = signed_lower_limb_target_z * OWN(t1);
-    /* each limb: loop closure; geometry; velocities, eq. (6) */
     OWN(t2) = OWN(signed_lower_limb_target_y) * OWN(signed_lower_sin);
     OWN(t6) = OWN(signed_lower_limb_target_x) * OWN(signed_lower_sin);
+    OWN(signed_U_0_lever_mz_by_S_fz) = SQRT4(t3);
     OWN(signed_lower_cos) = OWN(signed_U_0_lever_mz_by_S_fz) * OWN(t1);
     OWN(t3) = 1.0 / OWN(signed_U_0_lever_mz_by_S_fz);
     OWN(signed_U_0_cos) = OWN(signed_lower_limb_target_y) * OWN(t3);
-    OWN(t4) = OWN(signed_upper_position_x) * (OWN(signed_U_0_cos) * OWN(signed_lower_cos));
     OWN(signed_U_0_sin) = OWN(signed_lower_limb_target_x) * OWN(t3);
+    OWN(t4) = OWN(signed_upper_position_x) * (OWN(signed_U_0_cos) * OWN(signed_lower_cos));
     OWN(t5) = OWN(signed_upper_position_x) * (OWN(signed_U_0_sin) * OWN(signed_lower_cos));
-    const LIMB4 t6 = OWN(signed_upper_position_x) * platform_twist_wz,
-      t11 = OWN(signed_upper_position_x) * platform_twist_wy,
-      t8 = t6 - OWN(signed_lower_limb_target_y) * platform_twist_wx,
-      t16 = OWN(signed_lower_limb_target_y) * platform_twist_wy, t9 = t8 * OWN(signed_U_0_sin),
-      t20 = t8 * OWN(signed_U_0_cos), t12 = OWN(signed_lower_limb_target_x) * platform_twist_wx - t11,
-      t18 = t16 - OWN(signed_lower_limb_target_x) * platform_twist_wz, t14 = t9 + t12 * OWN(signed_U_0_cos),
-      U_0_omega_z = OWN(t3) * (t12 * OWN(signed_U_0_sin) - t20), t22 = OWN(signed_lower_cos) * t14,
-      signed_lower_omega_z = OWN(t1) * (t18 * OWN(signed_lower_cos) - OWN(signed_lower_sin) * t14),
-      minus_S_opening_rate_fx = t22 + t18 * OWN(signed_lower_sin),
-      signed_lower_omega_y = OWN(signed_lower_cos) * U_0_omega_z;
+}
+
+STAGE(inverse_dynamics_platform, 1)(size_t limb, size_t stride, REAL platform_twist_wz,
+    REAL platform_twist_wx, REAL platform_twist_wy, REAL given, REAL given_2, REAL given_3, REAL given_4,
+    REAL given_5, REAL given_6, LIMBS(inverse_dynamics_platform) *own)
+{
+    (void)limb, (void)stride;
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, 1.0, -1.0);
+    /* each limb: loop closure; velocities, eq. (6) */
+    const LIMB4 t1 = OWN(signed_upper_position_x) * platform_twist_wz,
+      t3 = t1 - OWN(signed_lower_limb_target_y) * platform_twist_wx, t4 = t3 * OWN(signed_U_0_sin),
+      t15 = t3 * OWN(signed_U_0_cos), t5 = OWN(signed_lower_limb_target_x) * platform_twist_wx,
+      t7 = t5 - OWN(signed_upper_position_x) * platform_twist_wy, t9 = t4 + t7 * OWN(signed_U_0_cos),
+      U_0_omega_z = OWN(t3) * (t7 * OWN(signed_U_0_sin) - t15), t10 = OWN(signed_lower_sin) * t9,
+      t17 = OWN(signed_lower_cos) * t9, t11 = OWN(signed_lower_limb_target_y) * platform_twist_wy,
+      t13 = t11 - OWN(signed_lower_limb_target_x) * platform_twist_wz,
+      signed_lower_omega_z = OWN(t1) * (t13 * OWN(signed_lower_cos) - t10),
+      minus_S_opening_rate_fx = t17 + t13 * OWN(signed_lower_sin);
     /* each limb: accelerations; velocities, eq. (6); loop closure */
+    const LIMB4 t38 = signed_lower_omega_z * signed_lower_omega_z,
+      signed_lower_omega_y = OWN(signed_lower_cos) * U_0_omega_z,
+      signed_lower_omega_x = OWN(signed_lower_sin) * U_0_omega_z;
     OWN(signed_lower_alpha_x) = signed_lower_omega_z * signed_lower_omega_y;
-    const LIMB4 signed_lower_omega_x = OWN(signed_lower_sin) * U_0_omega_z,
-      signed_lower_alpha_y = signed_lower_omega_z * signed_lower_omega_x,
-      signed_lower_U_xy = signed_lower_omega_x * signed_lower_omega_y,
-      t25 = OWN(lower_limb_length) * (2.0 * signed_lower_alpha_y), t33 = OWN(lower_limb_length) * signed_lower_U_xy;
+    OWN(minus_lower_U_xx) = signed_lower_omega_y * signed_lower_omega_y + t38;
+    OWN(t9) = minus_S_opening_rate_fx * (2.0 * signed_lower_omega_z);
+    const LIMB4 signed_lower_alpha_y = signed_lower_omega_z * signed_lower_omega_x,
+      signed_lower_U_xy = signed_lower_omega_x * signed_lower_omega_y;
     OWN(t7) = minus_S_opening_rate_fx * ((-2.0) * signed_lower_omega_y);
-    const LIMB4 signed_upper_acc_z = t25 + OWN(t7), t42 = signed_lower_omega_y * signed_lower_omega_y,
-      t26 = given_7 + sign1 * given_8, t27 = OWN(signed_U_0_cos) * t26, t35 = OWN(signed_U_0_sin) * t26,
-      t28 = given_9 + sign1 * given_10, t30 = t27 - OWN(signed_U_0_sin) * t28;
-    OWN(t10) = t35 + OWN(signed_U_0_cos) * t28;
-    const LIMB4 t37 = OWN(signed_lower_sin) * OWN(t10);
-    OWN(U_0_alpha_z) = OWN(t3) * (signed_upper_acc_z + sign3 * t30);
+    const LIMB4 signed_upper_acc_y = OWN(lower_limb_length) * signed_lower_U_xy + OWN(t9),
+      t21 = given + sign1 * given_2, t30 = OWN(signed_U_0_sin) * t21, t22 = OWN(signed_U_0_cos) * t21,
+      t23 = given_3 + sign1 * given_4;
+    OWN(t10) = t30 + OWN(signed_U_0_cos) * t23;
+    const LIMB4 t32 = OWN(signed_lower_sin) * OWN(t10), t41 = sign2 * (t22 - OWN(signed_U_0_sin) * t23);
+    OWN(t11) = given_5 + sign1 * given_6;
+    const LIMB4 signed_lower_alpha_z = OWN(t1) * (signed_upper_acc_y - sign2 * (t32 - OWN(signed_lower_cos) * OWN(t11)));
+    OWN(signed_lower_U_yx) = signed_lower_U_xy - signed_lower_alpha_z;
+    OWN(t12) = k10 * signed_lower_alpha_z - k9 * signed_lower_U_xy;
+    OWN(U_0_alpha_z) = OWN(t3) * (OWN(lower_limb_length) * (2.0 * signed_lower_alpha_y) + OWN(t7) + t41);
     const LIMB4 signed_lower_alpha_y_2 = signed_lower_alpha_y - OWN(signed_lower_cos) * OWN(U_0_alpha_z);
     OWN(signed_lower_U_zx_2) = signed_lower_alpha_y + signed_lower_alpha_y_2;
     OWN(t8) = k9 * signed_lower_alpha_y_2 + k10 * signed_lower_alpha_y;
-    OWN(t9) = minus_S_opening_rate_fx * (2.0 * signed_lower_omega_z);
-    const LIMB4 signed_upper_acc_y = t33 + OWN(t9);
-    OWN(minus_lower_U_xx) = t42 + signed_lower_omega_z * signed_lower_omega_z;
-    OWN(t11) = given_11 + sign1 * given_12;
-    const LIMB4 signed_lower_alpha_z = OWN(t1) * (signed_upper_acc_y - sign3 * (t37 - OWN(signed_lower_cos) * OWN(t11)));
-    OWN(signed_lower_U_yx) = signed_lower_U_xy - signed_lower_alpha_z;
-    OWN(t12) = k10 * signed_lower_alpha_z - k9 * signed_lower_U_xy;
 }
 
-STAGE(inverse_dynamics_platform, 1)(size_t limb, size_t stride, REAL given, REAL given_2, REAL given_3,
+STAGE(inverse_dynamics_platform, 2)(size_t limb, size_t stride, REAL given, REAL given_2, REAL given_3,
     REAL given_4, REAL given_5, REAL signed_U_0_sin, REAL signed_U_0_cos,
     LIMBS(inverse_dynamics_platform) *own)
 {
@@ -844,48 +849,17 @@ BODY(three_ups_upu_s_inverse_dynamics_platform)(size_t stride, const double *res
     const REAL limb5_S_pose_qw = READ(pose, 0), limb5_S_pose_qx = READ(pose, 1),
       t1 = limb5_S_pose_qw * limb5_S_pose_qw, t2 = limb5_S_pose_qx * limb5_S_pose_qx, limb5_S_pose_qy = READ(pose, 2),
       t3 = t1 + t2, t4 = limb5_S_pose_qy * limb5_S_pose_qy, limb5_S_pose_qz = READ(pose, 3),
-      t5 = limb5_S_pose_qz * limb5_S_pose_qz, t6 = t4 + t5, t7 = t3 + t6, t9 = 4.0 - 2.0 * t7, t15 = t2 + t4,
-      platform_turn_yy = 1.0 - t9 * (t2 + t5), platform_turn_zz = 1.0 - t9 * t15, platform_turn_xx = 1.0 - t6 * t9,
-      t12 = limb5_S_pose_qy * t9, t19 = limb5_S_pose_qx * t12, t13 = limb5_S_pose_qw * t12,
-      t10 = limb5_S_pose_qz * t9, t26 = limb5_S_pose_qw * (limb5_S_pose_qx * t9), t20 = limb5_S_pose_qw * t10,
-      platform_turn_yx = t19 + t20, platform_turn_xy = t19 - t20;
-    /* platform: accelerations; loop closure; momentum rate, eq. (35) */
-    const REAL limb5_S_rate_wy = READ(rate, 1), t104 = limb5_S_rate_wy * limb5_S_rate_wy,
-      limb5_S_rate_wz = READ(rate, 2), t105 = limb5_S_rate_wz * limb5_S_rate_wz,
-      minus_platform_U_still_xx = t104 + t105, limb5_S_rate_wx = READ(rate, 0),
-      t106 = platform_turn_yx * minus_platform_U_still_xx, platform_U_still_xy = limb5_S_rate_wx * limb5_S_rate_wy,
-      limb5_S_acc_wz = READ(acceleration, 2), platform_U_yx = limb5_S_acc_wz + platform_U_still_xy,
-      minus_platform_U_xy = limb5_S_acc_wz - platform_U_still_xy, t108 = t106 - platform_turn_yy * platform_U_yx,
-      t24 = limb5_S_pose_qy * t10, t11 = limb5_S_pose_qx * t10, platform_turn_yz = t24 - t26,
-      platform_turn_zy = t24 + t26, platform_U_still_xz = limb5_S_rate_wx * limb5_S_rate_wz,
-      limb5_S_acc_wy = READ(acceleration, 1), minus_platform_U_zx = limb5_S_acc_wy - platform_U_still_xz,
-      t111 = 0.5 * (t108 + platform_turn_yz * minus_platform_U_zx),
-      platform_U_xz = limb5_S_acc_wy + platform_U_still_xz, t85 = k13 * platform_U_still_xz,
-      t112 = platform_turn_yx * platform_U_xz, platform_U_still_yz = limb5_S_rate_wy * limb5_S_rate_wz,
-      limb5_S_acc_wx = READ(acceleration, 0), minus_platform_U_yz = limb5_S_acc_wx - platform_U_still_yz,
-      t114 = t112 - platform_turn_yy * minus_platform_U_yz, t115 = limb5_S_rate_wx * limb5_S_rate_wx,
-      minus_platform_U_still_zz = t115 + t104, minus_platform_U_still_yy = t115 + t105;
-    /* platform: loop closure; geometry; velocities, eq. (6) */
-    const REAL t118 = param_H * (t114 - platform_turn_yz * minus_platform_U_still_zz), platform_turn_zx = t11 - t13,
-      platform_turn_xz = t11 + t13,
-      t133 = platform_turn_zx * minus_platform_U_still_xx - platform_turn_zy * platform_U_yx,
-      t151 = platform_turn_xx * minus_platform_U_still_xx - platform_turn_xy * platform_U_yx,
-      t136 = 0.5 * (t133 + platform_turn_zz * minus_platform_U_zx),
-      t154 = 0.5 * (t151 + platform_turn_xz * minus_platform_U_zx),
-      t121 = platform_turn_zx * platform_U_xz - platform_turn_zy * minus_platform_U_yz,
-      t139 = platform_turn_xx * platform_U_xz - platform_turn_xy * minus_platform_U_yz,
-      t124 = param_H * (t121 - platform_turn_zz * minus_platform_U_still_zz),
-      t142 = param_H * (t139 - platform_turn_xz * minus_platform_U_still_zz),
-      t95 = limb5_S_rate_wx * platform_turn_zx + limb5_S_rate_wy * platform_turn_zy,
-      platform_twist_wz = limb5_S_rate_wz * platform_turn_zz + t95,
-      t98 = limb5_S_rate_wx * platform_turn_xx + limb5_S_rate_wy * platform_turn_xy,
-      platform_twist_wx = t98 + limb5_S_rate_wz * platform_turn_xz,
-      t102 = limb5_S_rate_wy * platform_turn_yy + limb5_S_rate_wx * platform_turn_yx,
-      platform_twist_wy = t102 + limb5_S_rate_wz * platform_turn_yz, t14 = 0.5 * platform_turn_zx,
-      t18 = param_H * platform_turn_xz, t31 = 0.5 * platform_turn_yx, t27 = param_H * platform_turn_yz,
+      t5 = limb5_S_pose_qz * limb5_S_pose_qz, t6 = t4 + t5, t7 = t3 + t6, t9 = 4.0 - 2.0 * t7, t28 = t2 + t5,
+      platform_turn_zz = 1.0 - t9 * (t2 + t4), platform_turn_xx = 1.0 - t6 * t9, platform_turn_yy = 1.0 - t9 * t28,
+      t10 = limb5_S_pose_qz * t9, t11 = limb5_S_pose_qx * t10, t12 = limb5_S_pose_qy * t9,
+      t26 = limb5_S_pose_qw * (limb5_S_pose_qx * t9), t13 = limb5_S_pose_qw * t12, t19 = limb5_S_pose_qx * t12,
+      platform_turn_zx = t11 - t13, platform_turn_xz = t11 + t13, t14 = 0.5 * platform_turn_zx,
+      t18 = param_H * platform_turn_xz, t20 = limb5_S_pose_qw * t10, t24 = limb5_S_pose_qy * t10,
+      platform_turn_yx = t19 + t20, platform_turn_xy = t19 - t20, t31 = 0.5 * platform_turn_yx,
+      platform_turn_yz = t24 - t26, platform_turn_zy = t24 + t26, t27 = param_H * platform_turn_yz,
       t17 = param_H * platform_turn_zz, t23 = 0.5 * platform_turn_xx;
-    FIRST_LIMB(0, inverse_dynamics_platform, 0, stride, t14, t17, t23, t18, t31, t27, platform_twist_wz, platform_twist_wx, platform_twist_wy, t111, t118, t136, t124, t154, t142, &limbs);
-    NEXT_LIMB(2, inverse_dynamics_platform, 0, stride, t14, t17, t23, t18, t31, t27, platform_twist_wz, platform_twist_wx, platform_twist_wy, t111, t118, t136, t124, t154, t142, &limbs);
+    FIRST_LIMB(0, inverse_dynamics_platform, 0, stride, t14, t17, t23, t18, t31, t27, &limbs);
+    NEXT_LIMB(2, inverse_dynamics_platform, 0, stride, t14, t17, t23, t18, t31, t27, &limbs);
     /* limb1: reciprocal wrenches, eq. (10); loop closure; balance, eqs. (40)-(47) */
     const REAL t35 = platform_turn_yy * limbs.signed_U_0_sin[0] + platform_turn_zy * limbs.signed_U_0_cos[0],
       t216 = limbs.signed_lower_sin[0] * t35,
@@ -899,7 +873,7 @@ BODY(three_ups_upu_s_inverse_dynamics_platform)(size_t stride, const double *res
       limb1_U_0_lever_mz_by_limb1_U2_mn = limbs.signed_lower_sin[0] * minus_limb1_U2_constraint_mn_couple_x,
       minus_limb1_U_0_lever_my_by_limb1_U2_mn = limbs.signed_lower_cos[0] * minus_limb1_U2_constraint_mn_couple_x,
       limb1_U2_part_fz_by_limb1_U2_mn = limbs.t3[0] * limb1_U_0_lever_mz_by_limb1_U2_mn;
-    /* platform: balance, eqs. (40)-(47); momentum rate, eq. (35); loop closure */
+    /* platform: balance, eqs. (40)-(47); reciprocal wrenches, eq. (10) */
     const REAL t51 = limbs.signed_U_0_cos[0] * limb1_U2_part_fz_by_limb1_U2_mn - minus_limb1_U_0_joint_force_fx_by_limb1_U2_mn,
       t44 = minus_limb1_U_0_joint_force_fy_by_limb1_U2_mn + limbs.signed_U_0_sin[0] * limb1_U2_part_fz_by_limb1_U2_mn,
       t52 = limbs.signed_upper_position_x[0] * t51, t57 = limbs.signed_lower_limb_target_y[0] * t51,
@@ -913,7 +887,40 @@ BODY(three_ups_upu_s_inverse_dynamics_platform)(size_t stride, const double *res
       minus_base_lever_my_by_limb1_U2_mn = t38 - limbs.signed_U_0_sin[0] * minus_limb1_U_0_lever_my_by_limb1_U2_mn,
       t47 = minus_base_lever_my_by_limb1_U2_mn - (t42 + limbs.signed_upper_position_x[0] * t44),
       t59 = limbs.signed_lower_limb_target_x[0] * t44 + t57 - limb1_U_0_lever_mz_by_limb1_U2_mn;
-    FIRST_LIMB(0, inverse_dynamics_platform, 1, stride, limbs.t5[0], -limbs.t6[0], t55, t47, t59, limbs.signed_U_0_sin[0], limbs.signed_U_0_cos[0], &limbs);
+    /* platform: accelerations; loop closure; momentum rate, eq. (35) */
+    const REAL limb5_S_rate_wy = READ(rate, 1), t104 = limb5_S_rate_wy * limb5_S_rate_wy,
+      limb5_S_rate_wz = READ(rate, 2), t105 = limb5_S_rate_wz * limb5_S_rate_wz,
+      minus_platform_U_still_xx = t104 + t105, limb5_S_rate_wx = READ(rate, 0),
+      t106 = platform_turn_yx * minus_platform_U_still_xx, platform_U_still_xy = limb5_S_rate_wx * limb5_S_rate_wy,
+      limb5_S_acc_wz = READ(acceleration, 2), platform_U_yx = limb5_S_acc_wz + platform_U_still_xy,
+      minus_platform_U_xy = limb5_S_acc_wz - platform_U_still_xy, t108 = t106 - platform_turn_yy * platform_U_yx,
+      platform_U_still_xz = limb5_S_rate_wx * limb5_S_rate_wz, limb5_S_acc_wy = READ(acceleration, 1),
+      minus_platform_U_zx = limb5_S_acc_wy - platform_U_still_xz,
+      t111 = 0.5 * (t108 + platform_turn_yz * minus_platform_U_zx),
+      platform_U_xz = limb5_S_acc_wy + platform_U_still_xz, t85 = k13 * platform_U_still_xz,
+      t112 = platform_turn_yx * platform_U_xz, platform_U_still_yz = limb5_S_rate_wy * limb5_S_rate_wz,
+      limb5_S_acc_wx = READ(acceleration, 0), minus_platform_U_yz = limb5_S_acc_wx - platform_U_still_yz;
+    /* platform: loop closure; velocities, eq. (6); balance, eqs. (40)-(47) */
+    const REAL t114 = t112 - platform_turn_yy * minus_platform_U_yz, t115 = limb5_S_rate_wx * limb5_S_rate_wx,
+      minus_platform_U_still_zz = t115 + t104, minus_platform_U_still_yy = t115 + t105,
+      t118 = param_H * (t114 - platform_turn_yz * minus_platform_U_still_zz),
+      t133 = platform_turn_zx * minus_platform_U_still_xx - platform_turn_zy * platform_U_yx,
+      t151 = platform_turn_xx * minus_platform_U_still_xx - platform_turn_xy * platform_U_yx,
+      t136 = 0.5 * (t133 + platform_turn_zz * minus_platform_U_zx),
+      t154 = 0.5 * (t151 + platform_turn_xz * minus_platform_U_zx),
+      t121 = platform_turn_zx * platform_U_xz - platform_turn_zy * minus_platform_U_yz,
+      t139 = platform_turn_xx * platform_U_xz - platform_turn_xy * minus_platform_U_yz,
+      t124 = param_H * (t121 - platform_turn_zz * minus_platform_U_still_zz),
+      t142 = param_H * (t139 - platform_turn_xz * minus_platform_U_still_zz),
+      t95 = limb5_S_rate_wx * platform_turn_zx + limb5_S_rate_wy * platform_turn_zy,
+      platform_twist_wz = limb5_S_rate_wz * platform_turn_zz + t95,
+      t98 = limb5_S_rate_wx * platform_turn_xx + limb5_S_rate_wy * platform_turn_xy,
+      platform_twist_wx = t98 + limb5_S_rate_wz * platform_turn_xz,
+      t102 = limb5_S_rate_wy * platform_turn_yy + limb5_S_rate_wx * platform_turn_yx,
+      platform_twist_wy = t102 + limb5_S_rate_wz * platform_turn_yz;
+    FIRST_LIMB(0, inverse_dynamics_platform, 1, stride, platform_twist_wz, platform_twist_wx, platform_twist_wy, t111, t118, t136, t124, t154, t142, &limbs);
+    NEXT_LIMB(2, inverse_dynamics_platform, 1, stride, platform_twist_wz, platform_twist_wx, platform_twist_wy, t111, t118, t136, t124, t154, t142, &limbs);
+    FIRST_LIMB(0, inverse_dynamics_platform, 2, stride, limbs.t5[0], -limbs.t6[0], t55, t47, t59, limbs.signed_U_0_sin[0], limbs.signed_U_0_cos[0], &limbs);
     const REAL t162 = limbs.signed_upper_position_x[0] * limbs.t13[0] - limbs.t14[0], /* limb1 */
       minus_platform_moment_x = gravity_z_platform_mz * platform_turn_zy, t81 = k13 * platform_U_still_yz,
       platform_U_zy = limb5_S_acc_wx + platform_U_still_yz,
@@ -927,20 +934,23 @@ BODY(three_ups_upu_s_inverse_dynamics_platform)(size_t stride, const double *res
       t145 = platform_turn_xx * minus_platform_U_xy + platform_turn_xy * minus_platform_U_still_yy,
       t157 = platform_turn_yx * minus_platform_U_xy + platform_turn_yy * minus_platform_U_still_yy,
       t173 = platform_turn_yx * minus_platform_rate_mx, t188 = platform_turn_xx * minus_platform_rate_mx,
-      t148 = 0.5 * (t145 - platform_turn_xz * platform_U_zy), t160 = 0.5 * (t157 - platform_turn_yz * platform_U_zy),
-      t176 = platform_turn_yz * platform_rate_mz, t191 = platform_turn_xz * platform_rate_mz,
+      t148 = 0.5 * (t145 - platform_turn_xz * platform_U_zy), t160 = 0.5 * (t157 - platform_turn_yz * platform_U_zy);
+    /* limb5_S: balance, eqs. (40)-(47); geometry */
+    const REAL t176 = platform_turn_yz * platform_rate_mz, t191 = platform_turn_xz * platform_rate_mz,
       t21 = 0.5 * platform_turn_xy, t30 = 0.5 * platform_turn_yy,
       t177 = t173 - platform_turn_yy * platform_rate_my - t176,
       t193 = t188 - platform_turn_xy * platform_rate_my - t191 - limbs.t17[0],
       limb1_U2_opening_mn = platform_turn_xy * limbs.signed_lower_cos[0] - t216,
       t218 = limb1_U2_opening_mn * limb1_U2_opening_mn;
-    NEXT_LIMB(1, inverse_dynamics_platform, 0, stride, t18, t21, t27, t30, t17, t32, platform_twist_wx, platform_twist_wy, platform_twist_wz, t124, t130, t142, t148, t118, t160, &limbs);
-    NEXT_LIMB(3, inverse_dynamics_platform, 0, stride, t18, t21, t27, t30, t17, t32, platform_twist_wx, platform_twist_wy, platform_twist_wz, t124, t130, t142, t148, t118, t160, &limbs);
-    NEXT_LIMB(1, inverse_dynamics_platform, 1, stride, limbs.t2[1], limbs.t4[1], t55, t47, t59, limbs.signed_U_0_cos[1], limbs.signed_U_0_sin[1], &limbs);
+    NEXT_LIMB(1, inverse_dynamics_platform, 0, stride, t18, t21, t27, t30, t17, t32, &limbs);
+    NEXT_LIMB(3, inverse_dynamics_platform, 0, stride, t18, t21, t27, t30, t17, t32, &limbs);
+    NEXT_LIMB(1, inverse_dynamics_platform, 1, stride, platform_twist_wx, platform_twist_wy, platform_twist_wz, t124, t130, t142, t148, t118, t160, &limbs);
+    NEXT_LIMB(3, inverse_dynamics_platform, 1, stride, platform_twist_wx, platform_twist_wy, platform_twist_wz, t124, t130, t142, t148, t118, t160, &limbs);
+    NEXT_LIMB(1, inverse_dynamics_platform, 2, stride, limbs.t2[1], limbs.t4[1], t55, t47, t59, limbs.signed_U_0_cos[1], limbs.signed_U_0_sin[1], &limbs);
     const REAL t166 = t163 + (limbs.t15[1] + limbs.signed_upper_position_x[1] * limbs.t16[1]);
-    NEXT_LIMB(2, inverse_dynamics_platform, 1, stride, limbs.t5[2], -limbs.t6[2], t55, t47, t59, limbs.signed_U_0_sin[2], limbs.signed_U_0_cos[2], &limbs);
+    NEXT_LIMB(2, inverse_dynamics_platform, 2, stride, limbs.t5[2], -limbs.t6[2], t55, t47, t59, limbs.signed_U_0_sin[2], limbs.signed_U_0_cos[2], &limbs);
     const REAL t169 = t166 + (limbs.signed_upper_position_x[2] * limbs.t13[2] - limbs.t14[2]);
-    NEXT_LIMB(3, inverse_dynamics_platform, 1, stride, -limbs.t2[3], limbs.t4[3], t55, t47, t59, limbs.signed_U_0_cos[3], limbs.signed_U_0_sin[3], &limbs);
+    NEXT_LIMB(3, inverse_dynamics_platform, 2, stride, -limbs.t2[3], limbs.t4[3], t55, t47, t59, limbs.signed_U_0_cos[3], limbs.signed_U_0_sin[3], &limbs);
     const REAL limb1_U2_part_mn = t55 * (t169 + (limbs.t15[3] + limbs.signed_upper_position_x[3] * limbs.t16[3])),
       t172 = t47 * limb1_U2_part_mn, t187 = t59 * limb1_U2_part_mn,
       t181 = t177 + (limbs.t15[0] + limbs.signed_upper_position_x[0] * limbs.t16[0]) - limbs.t17[1],

@@ -256,7 +256,7 @@ BODY(three_ups_upu_s_closure_jacobian)(size_t stride, const double *restrict q, 
 
 #if !defined(THREE_UPS_UPU_S_LANES)
 typedef struct {
-    EACH4 lower_omega_y, t1, t2, t3, signed_lower_omega_x, checked;
+    EACH4 t1, t2, t3, lower_omega_y, signed_lower_omega_x, checked;
 } LIMBS(closure_bias);
 
 STAGE(closure_bias, 0)(size_t limb, size_t stride, const double *restrict q, const double *restrict v,
@@ -264,31 +264,31 @@ STAGE(closure_bias, 0)(size_t limb, size_t stride, const double *restrict q, con
     REAL platform_twist_wz, REAL platform_twist_wx, LIMBS(closure_bias) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, 1.0, -1.0),
-      sign3 = OF4(1.0, -1.0, -1.0, 1.0), factor_2 = sign1 * 2.0;
-    const LIMB4 t35 = sign2 * platform_twist_wy, signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2),
+    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0), sign2 = OF4(1.0, -1.0, -1.0, 1.0),
+      sign3 = OF4(1.0, 1.0, -1.0, -1.0), factor_2 = sign3 * 2.0;
+    const LIMB4 t34 = sign1 * platform_twist_wy, signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2),
       U_0_cos = IN_EACH4(SINES, cosine, 0, 2);
     /* each limb: loop closure; reciprocal wrenches, eq. (10); velocities, eq. (6) */
-    const LIMB4 t15 = U_0_cos * t35, t5 = U_0_cos * platform_twist_wz - signed_U_0_sin * t35,
-      lower_cos = IN_EACH4(SINES, cosine, 1, 2), signed_lower_sin = IN_EACH4(SINES, sine, 1, 2), t8 = lower_cos * t5,
-      t6 = signed_lower_sin * t5, t36 = sign3 * platform_twist_wx;
-    OWN(t2) = t8 + signed_lower_sin * t36;
-    OWN(t1) = t6 - lower_cos * t36;
-    const LIMB4 signed_S_arm_y = param_R * lower_cos, t10 = signed_S_arm_y * OWN(t2),
+    const LIMB4 t1 = U_0_cos * t34, t8 = U_0_cos * platform_twist_wz - signed_U_0_sin * t34,
+      lower_cos = IN_EACH4(SINES, cosine, 1, 2), signed_lower_sin = IN_EACH4(SINES, sine, 1, 2), t11 = lower_cos * t8,
+      t9 = signed_lower_sin * t8, t35 = sign2 * platform_twist_wx;
+    OWN(t3) = t11 + signed_lower_sin * t35;
+    OWN(t2) = lower_cos * t35 - t9;
+    const LIMB4 signed_S_arm_y = param_R * lower_cos, t13 = signed_S_arm_y * OWN(t3),
       upper_offset_x = IN_EACH4(READ, q, 2, 3) + limb_upper_phase,
-      S_arm_x = upper_offset_x - param_R * signed_lower_sin, t13 = t10 - S_arm_x * OWN(t1), t14 = OWN(t1) * t13,
-      t25 = OWN(t2) * t13;
-    OWN(t3) = t15 + signed_U_0_sin * platform_twist_wz;
-    const LIMB4 t17 = S_arm_x * OWN(t3), t23 = signed_S_arm_y * OWN(t3), U_v_0 = IN_EACH4(READ, v, 0, 3),
-      t19 = OWN(t3) * t17 - t14, t29 = OWN(t2) * t17 + OWN(t1) * t23, t37 = sign1 * (OWN(t3) * t23 + t25);
+      S_arm_x = upper_offset_x - param_R * signed_lower_sin, t15 = t13 + S_arm_x * OWN(t2), t16 = OWN(t2) * t15,
+      t25 = OWN(t3) * t15;
+    OWN(t1) = t1 + signed_U_0_sin * platform_twist_wz;
+    const LIMB4 t4 = S_arm_x * OWN(t1), t23 = signed_S_arm_y * OWN(t1), U_v_0 = IN_EACH4(READ, v, 0, 3),
+      t17 = OWN(t1) * t4 + t16, t29 = OWN(t2) * t23 - OWN(t3) * t4, t37 = sign3 * (OWN(t1) * t23 + t25);
     OWN(lower_omega_y) = U_v_0 * lower_cos;
-    const LIMB4 t34 = sign1 * OWN(lower_omega_y), U_v_1 = IN_EACH4(READ, v, 1, 3),
-      S_opening_bias_fx = t19 - upper_offset_x * (t34 * t34 + U_v_1 * U_v_1);
+    const LIMB4 t36 = sign3 * OWN(lower_omega_y), U_v_1 = IN_EACH4(READ, v, 1, 3),
+      S_opening_bias_fx = t17 - upper_offset_x * (t36 * t36 + U_v_1 * U_v_1);
     WRITE4(bias, 0, 4, 7, 10, S_opening_bias_fx);
     LIMB4 checked = S_opening_bias_fx;
     OWN(signed_lower_omega_x) = U_v_0 * signed_lower_sin;
-    const LIMB4 P_v = IN_EACH4(READ, v, 2, 3), t20 = upper_offset_x * (OWN(signed_lower_omega_x) * t34),
-      S_opening_bias_fz = factor_2 * (upper_offset_x * (U_v_1 * OWN(signed_lower_omega_x)) - P_v * t34) - t29;
+    const LIMB4 P_v = IN_EACH4(READ, v, 2, 3), t20 = upper_offset_x * (OWN(signed_lower_omega_x) * t36),
+      S_opening_bias_fz = t29 + factor_2 * (upper_offset_x * (U_v_1 * OWN(signed_lower_omega_x)) - P_v * t36);
     WRITE4(bias, 2, 6, 9, 12, S_opening_bias_fz);
     checked = checked + S_opening_bias_fz;
     const LIMB4 S_opening_bias_fy = t20 + P_v * (2.0 * U_v_1) - t37;
@@ -315,31 +315,28 @@ BODY(three_ups_upu_s_closure_bias)(size_t stride, const double *restrict q, cons
       platform_twist_wy = t18 + limb5_S_v_wz * platform_turn_yz, t29 = limb5_S_v_wz * (t27 + t28),
       platform_twist_wz = t32 + (limb5_S_v_wx * (t27 - t28) + limb5_S_v_wy * platform_turn_zy),
       platform_twist_wx = t24 + limb5_S_v_wy * platform_turn_xy + t29;
-    FIRST_LIMB(3, closure_bias, 0, stride, q, v, bias, sine, cosine, platform_twist_wx, platform_twist_wz, platform_twist_wy, &limbs);
-    REAL checked0 = ALONE(limbs.checked[3]);
+    FIRST_LIMB(1, closure_bias, 0, stride, q, v, bias, sine, cosine, platform_twist_wx, platform_twist_wz, platform_twist_wy, &limbs);
+    REAL checked0 = ALONE(limbs.checked[1]);
     NEXT_LIMB(2, closure_bias, 0, stride, q, v, bias, sine, cosine, platform_twist_wy, platform_twist_wz, platform_twist_wx, &limbs);
     REAL checked1 = ALONE(limbs.checked[2]);
-    NEXT_LIMB(1, closure_bias, 0, stride, q, v, bias, sine, cosine, platform_twist_wx, platform_twist_wz, platform_twist_wy, &limbs);
-    REAL checked2 = ALONE(limbs.checked[1]);
+    NEXT_LIMB(3, closure_bias, 0, stride, q, v, bias, sine, cosine, platform_twist_wx, platform_twist_wz, platform_twist_wy, &limbs);
+    REAL checked2 = ALONE(limbs.checked[3]);
     NEXT_LIMB(0, closure_bias, 0, stride, q, v, bias, sine, cosine, platform_twist_wy, platform_twist_wz, platform_twist_wx, &limbs);
     REAL checked3 = ALONE(limbs.checked[0]);
     /* limb1: loop closure; geometry; reciprocal wrenches, eq. (10) */
-    const REAL t36 = limbs.signed_lower_omega_x[0] - limbs.t2[0], limb1_U_0_cos = SINES(cosine, 0),
-      limb1_U_0_sin = SINES(sine, 0), t51 = limb1_U_0_sin * platform_turn_zy,
-      t39 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy,
-      limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + t51, limb1_lower_sin = SINES(sine, 1),
-      limb1_lower_cos = SINES(cosine, 1), t43 = limb1_lower_cos * t39,
-      limb1_U2_opening_mn = limb1_lower_sin * t39 + limb1_lower_cos * platform_turn_xy,
-      limb1_U2_constraint_mn_couple_z = t43 - limb1_lower_sin * platform_turn_xy, t42 = limb1_U2_opening_mn * t36,
-      t45 = limbs.lower_omega_y[0] + limbs.t1[0], limb1_U_v_1 = READ(v, 1),
-      t48 = t36 * (t42 + limb1_U2_constraint_mn_couple_z * t45), t58 = limbs.lower_omega_y[0] * t36,
-      t52 = limb1_U2_constraint_mn_couple_x * t45, t49 = limb1_U_v_1 - limbs.t3[0],
-      t56 = t48 - t49 * (t52 - limb1_U2_opening_mn * t49),
-      t60 = limb1_U2_constraint_mn_couple_z * (limbs.signed_lower_omega_x[0] * t45 - t58),
-      t65 = t60 - limb1_U2_constraint_mn_couple_x * (limb1_U_v_1 * t45 + limbs.lower_omega_y[0] * limbs.t3[0]),
-      minus_limb1_U2_opening_bias_mn = t56 + t65;
-    checked0 = checked0 + minus_limb1_U2_opening_bias_mn;
-    WRITE(bias, 3, -minus_limb1_U2_opening_bias_mn);
+    const REAL t39 = limbs.lower_omega_y[0] - limbs.t2[0], limb1_U_0_sin = SINES(sine, 0),
+      limb1_U_0_cos = SINES(cosine, 0), t42 = limb1_U_0_cos * platform_turn_zy,
+      limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy,
+      t43 = limb1_U_0_sin * platform_turn_yy - t42, limb1_U_v_1 = READ(v, 1),
+      t40 = limb1_U2_constraint_mn_couple_x * t39, t36 = limb1_U_v_1 - limbs.t1[0], limb1_lower_sin = SINES(sine, 1),
+      limb1_lower_cos = SINES(cosine, 1), t51 = limb1_lower_cos * t43,
+      limb1_U2_opening_mn = limb1_lower_sin * t43 + limb1_lower_cos * platform_turn_xy,
+      limb1_U2_constraint_mn_couple_z = t51 - limb1_lower_sin * platform_turn_xy,
+      t48 = t36 * (t40 - limb1_U2_opening_mn * t36), t49 = limbs.signed_lower_omega_x[0] - limbs.t3[0],
+      t56 = t48 - t49 * (limb1_U2_opening_mn * t49 + limb1_U2_constraint_mn_couple_z * t39),
+      t60 = limb1_U2_constraint_mn_couple_z * (limbs.signed_lower_omega_x[0] * t39 - limbs.lower_omega_y[0] * t49),
+      t65 = t60 - limb1_U2_constraint_mn_couple_x * (limb1_U_v_1 * t39 + limbs.lower_omega_y[0] * limbs.t1[0]);
+    RESULT(checked0, bias, 3, t56 - t65);
     /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
@@ -375,14 +372,14 @@ STAGE(velocity, 1)(size_t limb, size_t stride, double *restrict v, const double 
     const EACH4 signed_limb5_S_joint_rate_wx, LIMBS(velocity) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, 1.0), sign2 = OF4(1.0, -1.0, -1.0, 1.0),
+    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, 1.0), sign2 = OF4(1.0, -1.0, -1.0, 1.0), each_param_R = sign2 * param_R,
       sign3 = OF4(1.0, 1.0, -1.0, 1.0), sign4 = OF4(1.0, -1.0, 1.0, -1.0);
     const LIMB4 signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2), U_0_cos = IN_EACH4(SINES, cosine, 0, 2);
     /* each limb: velocities, eq. (6) */
     const LIMB4 t8 = signed_U_0_sin * limb5_S_joint_rate_wz + U_0_cos * GIVEN(signed_limb5_S_joint_rate_wy),
-      signed_P_joint_rate = param_R * IN_EACH4(SINES, cosine, 1, 2) * t8;
-    WRITE4(v, 2, 5, 8, 11, sign2 * signed_P_joint_rate);
-    LIMB4 checked = OWN(checked) + signed_P_joint_rate;
+      P_joint_rate = each_param_R * IN_EACH4(SINES, cosine, 1, 2) * t8;
+    WRITE4(v, 2, 5, 8, 11, P_joint_rate);
+    LIMB4 checked = OWN(checked) + P_joint_rate;
     const LIMB4 signed_U_joint_rate_1 = OWN(t2) * (OWN(S_arm_x) * t8);
     WRITE4(v, 1, 4, 7, 10, sign3 * signed_U_joint_rate_1);
     checked = checked + signed_U_joint_rate_1;
@@ -641,7 +638,7 @@ STAGE(acceleration, 0)(size_t limb, size_t stride, const double *restrict q, con
     const LIMB4 P_v = IN_EACH4(READ, v, 2, 3);
     OWN(t4) = upper_offset_x * OWN(t3) - P_v * t7;
     const LIMB4 t4 = U_v_1 * t7, t5 = upper_offset_x * t4;
-    OWN(t10) = P_v - param_R * t4;
+    OWN(t10) = P_v + (-param_R) * t4;
     OWN(t6) = P_v * signed_lower_sin + t5;
     OWN(checked) = checked;
 }
@@ -671,8 +668,8 @@ STAGE(acceleration, 2)(size_t limb, size_t stride, double *restrict a, const dou
     const EACH4 given_3, LIMBS(acceleration) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0), sign2 = OF4(1.0, -1.0, -1.0, -1.0),
-      sign3 = OF4(1.0, 1.0, -1.0, -1.0), each_param_R = -sign3 * param_R, sign4 = OF4(1.0, 1.0, -1.0, 1.0),
+    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0), sign2 = OF4(1.0, 1.0, -1.0, 1.0),
+      sign3 = OF4(1.0, 1.0, -1.0, -1.0), each_param_R = -sign3 * param_R, sign4 = OF4(1.0, -1.0, -1.0, -1.0),
       sign5 = OF4(1.0, -1.0, -1.0, 1.0);
     const LIMB4 U_0_cos = IN_EACH4(SINES, cosine, 0, 2), signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2);
     /* each limb: accelerations */
@@ -682,11 +679,11 @@ STAGE(acceleration, 2)(size_t limb, size_t stride, double *restrict a, const dou
     WRITE4(a, 0, 3, 6, 9, -sign1 * signed_U_joint_acc_0);
     LIMB4 checked = OWN(checked) + signed_U_joint_acc_0;
     const LIMB4 t12 = signed_U_0_sin * given + U_0_cos * GIVEN(signed_limb5_S_joint_acc_wy),
-      signed_U_joint_acc_1 = OWN(t2) * (sign2 * OWN(S_arm_x) * t12 - GIVEN(given_2));
-    WRITE4(a, 1, 4, 7, 10, sign4 * signed_U_joint_acc_1);
+      signed_U_joint_acc_1 = OWN(t2) * (GIVEN(given_2) - sign2 * (OWN(S_arm_x) * t12));
+    WRITE4(a, 1, 4, 7, 10, -sign4 * signed_U_joint_acc_1);
     checked = checked + signed_U_joint_acc_1;
     const LIMB4 t19 = param_R * IN_EACH4(SINES, cosine, 1, 2) * (GIVEN(given_3) + (OWN(t9) - t12)),
-      signed_P_joint_acc = OWN(t7) * (each_param_R * OWN(t3)) - t19;
+      signed_P_joint_acc = each_param_R * OWN(t3) * OWN(t7) - t19;
     WRITE4(a, 2, 5, 8, 11, sign5 * signed_P_joint_acc);
     checked = checked + signed_P_joint_acc;
     OWN(checked) = checked;
@@ -785,20 +782,20 @@ BODY(three_ups_upu_s_acceleration)(size_t stride, const double *restrict q, cons
       t160 = minus_limb2_U_0_cos * minus_limb5_S_joint_acc_still_wz; /* limb2 */
     NEXT_LIMB(1, acceleration, 0, stride, q, v, sine, cosine, &limbs);
     NEXT_LIMB(1, acceleration, 1, stride, v, sine, cosine, platform_twist_wx_2, platform_twist_wy_2, platform_twist_wz, &limbs);
-    const REAL limb2_U_v_1 = READ(v, 4), limb2_P_v = READ(v, 5), limb3_U_0_sin = SINES(sine, 4),
-      t164 = limbs.t11[1] + (limb2_U_v_1 * limb2_P_v - limbs.S_arm_x[1] * (limbs.t9[1] + t160)), /* limb2 */
-      t166 = limb3_U_0_sin * minus_limb5_S_joint_acc_still_wz; /* limb3 */
-    NEXT_LIMB(2, acceleration, 0, stride, q, v, sine, cosine, &limbs);
-    NEXT_LIMB(2, acceleration, 1, stride, v, sine, cosine, platform_twist_wx_2, platform_twist_wy_2, platform_twist_wz, &limbs);
-    const REAL limb3_U_v_1 = READ(v, 7), limb3_P_v = READ(v, 8), minus_limb4_U_0_cos = SINES(sine, 6),
-      t170 = limbs.t11[2] - (limb3_U_v_1 * limb3_P_v + limbs.S_arm_x[2] * (limbs.t9[2] + t166)), /* limb3 */
+    const REAL limb2_U_v_1 = READ(v, 4), limb2_P_v = READ(v, 5), minus_limb4_U_0_cos = SINES(sine, 6),
+      t189 = -(limbs.t11[1] + (limb2_U_v_1 * limb2_P_v - limbs.S_arm_x[1] * (limbs.t9[1] + t160))),
       t172 = minus_limb4_U_0_cos * minus_limb5_S_joint_acc_still_wz; /* limb4 */
     NEXT_LIMB(3, acceleration, 0, stride, q, v, sine, cosine, &limbs);
     NEXT_LIMB(3, acceleration, 1, stride, v, sine, cosine, platform_twist_wx_2, platform_twist_wy_2, platform_twist_wz, &limbs);
-    const REAL limb4_U_v_1 = READ(v, 10), limb4_P_v = READ(v, 11),
-      t176 = limbs.t11[3] + (limb4_U_v_1 * limb4_P_v - limbs.S_arm_x[3] * (limbs.t9[3] + t172)), /* limb4 */
+    const REAL limb4_U_v_1 = READ(v, 10), limb4_P_v = READ(v, 11), limb3_U_0_sin = SINES(sine, 4),
+      t190 = -(limbs.t11[3] + (limb4_U_v_1 * limb4_P_v - limbs.S_arm_x[3] * (limbs.t9[3] + t172))),
+      t166 = limb3_U_0_sin * minus_limb5_S_joint_acc_still_wz; /* limb3 */
+    NEXT_LIMB(2, acceleration, 0, stride, q, v, sine, cosine, &limbs);
+    NEXT_LIMB(2, acceleration, 1, stride, v, sine, cosine, platform_twist_wx_2, platform_twist_wy_2, platform_twist_wz, &limbs);
+    const REAL limb3_U_v_1 = READ(v, 7), limb3_P_v = READ(v, 8),
+      t170 = limbs.t11[2] - (limb3_U_v_1 * limb3_P_v + limbs.S_arm_x[2] * (limbs.t9[2] + t166)), /* limb3 */
       t156 = limb1_U_0_sin * minus_limb5_S_joint_acc_still_wz; /* limb1 */
-    const EACH4 given_3 = {t156, t160, t166, t172}, given_2 = {t95 + limbs.S_arm_x[0] * t156, t164, t170, t176};
+    const EACH4 given_3 = {t156, t160, t166, t172}, given_2 = {t95 + limbs.S_arm_x[0] * t156, t189, t170, t190};
     FIRST_LIMB(0, acceleration, 2, stride, a, sine, cosine, t152, signed_limb5_S_joint_acc_wy, minus_limb5_S_joint_acc_still_wz, signed_limb5_S_joint_acc_wx, given_2, given_3, &limbs);
     checked1 = checked1 + ALONE(limbs.checked[0]);
     NEXT_LIMB(1, acceleration, 2, stride, a, sine, cosine, t152, signed_limb5_S_joint_acc_wy, minus_limb5_S_joint_acc_still_wz, signed_limb5_S_joint_acc_wx, given_2, given_3, &limbs);
@@ -1404,12 +1401,33 @@ int three_ups_upu_s_close_velocity(const double *restrict q, const double *restr
 
 typedef struct {
     EACH4 upper_offset_x, signed_upper_position_x, minus_U_0_lever_mz_by_S_fz, t1, S_arm_x, t2,
+      minus_lower_rotation_yx, minus_upper_position_y, signed_lower_rotation_zx, signed_upper_position_z,
       signed_S_opening_fz, signed_S_opening_fy, t3, t4, t5, signed_S_arm_y, signed_lower_limb_target_y,
       signed_lower_limb_target_x_2, t6, t7, t8, t9, signed_lower_limb_target_z, lower_limb_length, t10, t11,
       t12, t13, checked;
 } LIMBS(assemble_step);
 
 STAGE(assemble_step, 0)(size_t limb, size_t stride, const double *restrict q, const double *restrict sine,
+    const double *restrict cosine, LIMBS(assemble_step) *own)
+{
+    (void)limb, (void)stride;
+    const LIMB4 lower_cos = OF4(SINES(cosine, 1), SINES(cosine, 4), SINES(cosine, 6), SINES(cosine, 9));
+    /* each limb: reciprocal wrenches, eq. (10); geometry; rates that follow */
+    OWN(signed_S_arm_y) = param_R * lower_cos;
+    OWN(upper_offset_x) = IN_EACH4(READ, q, 2, 3) + limb_upper_phase;
+    OWN(signed_lower_rotation_zx) = OF4(SINES(cosine, 0), SINES(sine, 2), SINES(cosine, 5), SINES(sine, 7)) * lower_cos;
+    OWN(signed_upper_position_z) = OWN(upper_offset_x) * OWN(signed_lower_rotation_zx);
+    OWN(minus_lower_rotation_yx) = OF4(SINES(sine, 0), SINES(cosine, 2), SINES(sine, 5), SINES(cosine, 7)) * lower_cos;
+    OWN(minus_upper_position_y) = OWN(upper_offset_x) * OWN(minus_lower_rotation_yx);
+    OWN(minus_U_0_lever_mz_by_S_fz) = lower_cos * OWN(upper_offset_x);
+    OWN(t1) = 1.0 / OWN(minus_U_0_lever_mz_by_S_fz);
+    OWN(t2) = lower_cos * OWN(t1);
+    const LIMB4 signed_lower_sin = OF4(SINES(sine, 1), SINES(sine, 4), SINES(sine, 6), SINES(sine, 9));
+    OWN(S_arm_x) = OWN(upper_offset_x) - param_R * signed_lower_sin;
+    OWN(signed_upper_position_x) = signed_lower_sin * OWN(upper_offset_x) + (-param_R);
+}
+
+STAGE(assemble_step, 1)(size_t limb, size_t stride, const double *restrict sine,
     const double *restrict cosine, REAL given, REAL given_2, REAL given_3, REAL given_4, REAL given_5,
     REAL given_6, LIMBS(assemble_step) *own)
 {
@@ -1417,37 +1435,26 @@ STAGE(assemble_step, 0)(size_t limb, size_t stride, const double *restrict q, co
     const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, 1.0, 1.0),
       sign3 = OF4(1.0, 1.0, 1.0, -1.0), sign4 = OF4(1.0, -1.0, -1.0, -1.0), sign5 = OF4(1.0, -1.0, 1.0, -1.0),
       each_per_length = sign5 * per_length;
-    const LIMB4 lower_cos = OF4(SINES(cosine, 1), SINES(cosine, 4), SINES(cosine, 6), SINES(cosine, 9));
-    /* each limb: reciprocal wrenches, eq. (10); geometry; rates that follow */
-    OWN(signed_S_arm_y) = param_R * lower_cos;
-    OWN(upper_offset_x) = IN_EACH4(READ, q, 2, 3) + limb_upper_phase;
-    const LIMB4 signed_lower_sin = OF4(SINES(sine, 1), SINES(sine, 4), SINES(sine, 6), SINES(sine, 9));
-    OWN(S_arm_x) = OWN(upper_offset_x) - param_R * signed_lower_sin;
-    OWN(minus_U_0_lever_mz_by_S_fz) = lower_cos * OWN(upper_offset_x);
-    OWN(t1) = 1.0 / OWN(minus_U_0_lever_mz_by_S_fz);
-    OWN(t2) = lower_cos * OWN(t1);
-    const LIMB4 signed_U_0_cos = OF4(SINES(cosine, 0), SINES(sine, 2), SINES(cosine, 5), SINES(sine, 7)),
-      t17 = sign3 * (given_3 - sign1 * given_4), signed_lower_rotation_zx = signed_U_0_cos * lower_cos;
-    /* each limb: loop closure; geometry; results */
-    const LIMB4 t4 = OWN(upper_offset_x) * signed_lower_rotation_zx - t17;
-    OWN(t3) = signed_lower_rotation_zx * t4;
-    OWN(signed_upper_position_x) = signed_lower_sin * OWN(upper_offset_x) + (-param_R);
-    const LIMB4 t6 = given_5 - sign1 * given_6 - sign4 * OWN(signed_upper_position_x);
-    OWN(t4) = signed_lower_sin * t6;
+    /* each limb: loop closure; results */
+    const LIMB4 t1 = OWN(minus_upper_position_y) + sign2 * (given - sign1 * given_2);
+    OWN(t5) = OWN(minus_lower_rotation_yx) * t1;
     const LIMB4 U_0_sin = OF4(SINES(sine, 0), SINES(cosine, 2), SINES(sine, 5), SINES(cosine, 7)),
-      t20 = sign4 * (lower_cos * t6), t15 = sign2 * (given - sign1 * given_2),
-      minus_lower_rotation_yx = U_0_sin * lower_cos, t2 = OWN(upper_offset_x) * minus_lower_rotation_yx + t15;
-    OWN(t5) = minus_lower_rotation_yx * t2;
-    const LIMB4 t8 = U_0_sin * t2;
-    OWN(signed_S_opening_fz) = signed_U_0_cos * t2 - U_0_sin * t4;
-    const LIMB4 t12 = each_per_length * OWN(signed_S_opening_fz);
-    OWN(t12) = t12 * t12;
-    OWN(signed_S_opening_fy) = t20 + signed_lower_sin * (t8 + signed_U_0_cos * t4);
-    const LIMB4 t13 = per_length * OWN(signed_S_opening_fy);
-    OWN(t13) = t13 * t13;
+      signed_U_0_cos = OF4(SINES(cosine, 0), SINES(sine, 2), SINES(cosine, 5), SINES(sine, 7)), t7 = U_0_sin * t1,
+      t2 = signed_U_0_cos * t1, t3 = OWN(signed_upper_position_z) - sign3 * (given_3 - sign1 * given_4);
+    OWN(t3) = OWN(signed_lower_rotation_zx) * t3;
+    const LIMB4 signed_lower_sin = OF4(SINES(sine, 1), SINES(sine, 4), SINES(sine, 6), SINES(sine, 9)),
+      t10 = signed_lower_sin * (t7 + signed_U_0_cos * t3);
+    OWN(signed_S_opening_fz) = t2 - U_0_sin * t3;
+    const LIMB4 t11 = each_per_length * OWN(signed_S_opening_fz);
+    OWN(t12) = t11 * t11;
+    const LIMB4 t5 = given_5 - sign1 * given_6 - sign4 * OWN(signed_upper_position_x);
+    OWN(t4) = signed_lower_sin * t5;
+    OWN(signed_S_opening_fy) = sign4 * (OF4(SINES(cosine, 1), SINES(cosine, 4), SINES(cosine, 6), SINES(cosine, 9)) * t5) + t10;
+    const LIMB4 t12 = per_length * OWN(signed_S_opening_fy);
+    OWN(t13) = t12 * t12;
 }
 
-STAGE(assemble_step, 1)(size_t limb, size_t stride, double *restrict q_next, const double *restrict sine,
+STAGE(assemble_step, 2)(size_t limb, size_t stride, double *restrict q_next, const double *restrict sine,
     const double *restrict cosine, REAL given, REAL given_2, REAL given_3, REAL given_4, REAL given_5,
     REAL given_6, LIMBS(assemble_step) *own)
 {
@@ -1470,7 +1477,7 @@ STAGE(assemble_step, 1)(size_t limb, size_t stride, double *restrict q_next, con
     OWN(checked) = checked;
 }
 
-STAGE(assemble_step, 2)(size_t limb, size_t stride, const double *restrict sine,
+STAGE(assemble_step, 3)(size_t limb, size_t stride, const double *restrict sine,
     const double *restrict cosine, REAL given, LIMBS(assemble_step) *own)
 {
     (void)limb, (void)stride;
@@ -1503,7 +1510,7 @@ BODY(three_ups_upu_s_assemble_step)(size_t stride, const double *restrict q, con
       limb5_S_q_qz = READ(q, 15), t9 = limb5_S_q_qz * limb5_S_q_qz, t10 = t8 + t9, t11 = t7 + t10;
     /* limb5_S: geometry; results */
     const REAL t19 = t6 + t9, t58 = t6 + t8, t18 = 4.0 - 2.0 * t11, platform_turn_yy = 1.0 - t18 * t19,
-      t60 = param_H * (1.0 - t18 * t58), t71 = 0.5 * (1.0 - t10 * t18), t13 = k2 - 0.5 * t11,
+      t13 = k2 - 0.5 * t11, t60 = param_H * (1.0 - t18 * t58), t71 = 0.5 * (1.0 - t10 * t18),
       t22 = limb5_S_q_qz * t18, t23 = limb5_S_q_qy * t22, t25 = limb5_S_q_qw * (limb5_S_q_qx * t18),
       t33 = limb5_S_q_qy * t18, platform_turn_zy = t23 + t25, t57 = param_H * (t23 - t25),
       limb1_U_0_cos = SINES(cosine, 0), limb1_U_0_sin = SINES(sine, 0),
@@ -1513,62 +1520,67 @@ BODY(three_ups_upu_s_assemble_step)(size_t stride, const double *restrict q, con
       t68 = limb1_lower_sin * t31, /* limb1 */
       t34 = limb5_S_q_qx * t33, t63 = limb5_S_q_qw * t33, t35 = limb5_S_q_qw * t22, t62 = limb5_S_q_qx * t22,
       platform_turn_xy = t34 - t35, t56 = 0.5 * (t34 + t35);
-    /* limb1: reciprocal wrenches, eq. (10); rates that follow; results */
-    const REAL limb1_U2_constraint_mn_couple_z = t32 - limb1_lower_sin * platform_turn_xy,
-      platform_turn_xz = t62 + t63, t64 = 0.5 * (t62 - t63), /* platform */
-      t65 = param_H * platform_turn_xz; /* platform */
-    FIRST_LIMB(0, assemble_step, 0, stride, q, sine, cosine, t57, t56, t60, t64, t65, t71, &limbs);
-    NEXT_LIMB(2, assemble_step, 0, stride, q, sine, cosine, t57, t56, t60, t64, t65, t71, &limbs);
+    /* limb1: reciprocal wrenches, eq. (10); rates that follow; pivots */
+    const REAL limb1_U2_constraint_mn_couple_z = t32 - limb1_lower_sin * platform_turn_xy;
+    FIRST_LIMB(0, assemble_step, 0, stride, q, sine, cosine, &limbs);
     const REAL limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * limbs.t2[0],
       minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limbs.S_arm_x[0] * limb1_U_factor_1_by_3,
-      t73 = limb1_U_factor_1_by_3 * limbs.signed_S_opening_fy[0], t38 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3,
-      t41 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3, t26 = limb1_U_0_sin * platform_turn_zy,
-      t61 = 0.5 * platform_turn_zy, /* platform */
-      limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + t26,
-      t72 = 0.5 * platform_turn_yy, /* platform */
+      t38 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3, t41 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3,
+      t26 = limb1_U_0_sin * platform_turn_zy, t61 = 0.5 * platform_turn_zy, /* platform */
+      limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + t26;
+    /* limb5_S: geometry; pivots; rates that follow */
+    const REAL t72 = 0.5 * platform_turn_yy,
       minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * limbs.t1[0],
       limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x,
       minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn + limbs.signed_upper_position_x[0] * minus_limb1_U_factor_0_by_3,
-      t67 = limbs.signed_S_opening_fz[0] * minus_limb1_U_factor_0_by_3;
-    /* limb5_S: pivots; rates that follow */
-    const REAL minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + t38,
+      minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + t38,
       t42 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t41, /* limb1 */
       t39 = 1.0 / minus_limb5_S_pivot_wz, limb5_S_null_space_wz_by_limb5_S_wy = t39 * t42;
     /* step: results; geometry */
     const REAL t16 = limb5_S_q_qy * t13, t43 = t16 * limb5_S_null_space_wz_by_limb5_S_wy, t14 = limb5_S_q_qz * t13,
       t45 = 0.5 * (t14 - t43), t15 = 0.5 * t14, t46 = t15 * t45, t49 = limb5_S_q_qx * t13,
       t50 = t49 * limb5_S_null_space_wz_by_limb5_S_wy, t47 = limb5_S_q_qw * t13, t52 = 0.5 * (t47 + t50),
-      t48 = 0.5 * t47, a_pivot = t46 + t48 * t52, t66 = 0.5 * platform_turn_xy,
-      limb1_U2_opening_mn = t68 + limb1_lower_cos * platform_turn_xy, t76 = t39 * (t67 - (limb1_U2_opening_mn + t73)),
-      t78 = 0.5 * (t16 * t76), t83 = 0.5 * (t49 * t76),
-      t318 = limb1_U2_opening_mn * limb1_U2_opening_mn; /* limb1 */
-    NEXT_LIMB(1, assemble_step, 0, stride, q, sine, cosine, t61, t60, t66, t65, t72, t57, &limbs);
-    NEXT_LIMB(3, assemble_step, 0, stride, q, sine, cosine, t61, t60, t66, t65, t72, t57, &limbs);
-    const REAL t335 = limbs.upper_offset_x[0] * (limbs.upper_offset_x[3] * (limbs.upper_offset_x[1] * limbs.upper_offset_x[2])),
-      t338 = limbs.minus_U_0_lever_mz_by_S_fz[3] * (limbs.minus_U_0_lever_mz_by_S_fz[1] * (limbs.minus_U_0_lever_mz_by_S_fz[2] * t335)),
-      t341 = a_pivot * (limbs.minus_U_0_lever_mz_by_S_fz[0] * t338 * minus_limb5_S_pivot_wz);
+      t48 = 0.5 * t47, a_pivot = t46 + t48 * t52;
+    NEXT_LIMB(1, assemble_step, 0, stride, q, sine, cosine, &limbs);
+    NEXT_LIMB(2, assemble_step, 0, stride, q, sine, cosine, &limbs);
+    const REAL t333 = limbs.upper_offset_x[1] * limbs.upper_offset_x[2];
+    NEXT_LIMB(3, assemble_step, 0, stride, q, sine, cosine, &limbs);
+    const REAL t336 = limbs.minus_U_0_lever_mz_by_S_fz[2] * (limbs.upper_offset_x[0] * (limbs.upper_offset_x[3] * t333)),
+      t339 = limbs.minus_U_0_lever_mz_by_S_fz[0] * (limbs.minus_U_0_lever_mz_by_S_fz[3] * (limbs.minus_U_0_lever_mz_by_S_fz[1] * t336)),
+      t341 = a_pivot * (t339 * minus_limb5_S_pivot_wz);
     REAL checked0 = t341;
     WRITE(orientation_, 0, -t341);
-    const REAL t54 = 1.0 / a_pivot, t79 = limb5_S_q_qx - READ(y, 0) + t78, t80 = t15 * t79, t94 = t52 * t79,
-      t84 = limb5_S_q_qy - READ(y, 1) - t83, t95 = t45 * t84 - t94, t87 = t54 * (t80 + t48 * t84), t96 = t54 * t95,
-      t89 = t39 * (t42 * t87), t198 = limbs.signed_upper_position_x[0] * (limb1_U_0_cos * t89 - limb1_U_0_sin * t87),
+    const REAL t54 = 1.0 / a_pivot, platform_turn_xz = t62 + t63, t64 = 0.5 * (t62 - t63),
+      t65 = param_H * platform_turn_xz;
+    FIRST_LIMB(0, assemble_step, 1, stride, sine, cosine, t57, t56, t60, t64, t65, t71, &limbs);
+    NEXT_LIMB(2, assemble_step, 1, stride, sine, cosine, t57, t56, t60, t64, t65, t71, &limbs);
+    const REAL t73 = limb1_U_factor_1_by_3 * limbs.signed_S_opening_fy[0], /* limb1 */
+      t67 = limbs.signed_S_opening_fz[0] * minus_limb1_U_factor_0_by_3, /* limb1 */
+      limb1_U2_opening_mn = t68 + limb1_lower_cos * platform_turn_xy, t76 = t39 * (t67 - (limb1_U2_opening_mn + t73)),
+      t78 = 0.5 * (t16 * t76), t83 = 0.5 * (t49 * t76), t66 = 0.5 * platform_turn_xy,
+      t318 = limb1_U2_opening_mn * limb1_U2_opening_mn, /* limb1 */
+      t79 = limb5_S_q_qx - READ(y, 0) + t78, t80 = t15 * t79, t94 = t52 * t79, t84 = limb5_S_q_qy - READ(y, 1) - t83,
+      t95 = t45 * t84 - t94, t87 = t54 * (t80 + t48 * t84), t96 = t54 * t95, t89 = t39 * (t42 * t87),
+      t198 = limbs.signed_upper_position_x[0] * (limb1_U_0_cos * t89 - limb1_U_0_sin * t87),
       t202 = limbs.signed_S_opening_fz[0] - limbs.signed_upper_position_x[0] * (limb1_U_0_cos * t76) - t198,
       t204 = t96 - limbs.t1[0] * t202, t205 = t204 * t204, t182 = limb1_U_0_sin * t89 + limb1_U_0_cos * t87,
       t189 = limbs.S_arm_x[0] * t182, t183 = limb1_U_0_sin * t76, t184 = t182 + t183,
       t193 = limbs.t2[0] * (t189 - (limbs.signed_S_opening_fy[0] - limbs.S_arm_x[0] * t183)),
-      t206 = t193 * t193 + t205, t185 = limbs.signed_S_arm_y[0] * t184,
+      t185 = limbs.signed_S_arm_y[0] * t184, t206 = t193 * t193 + t205,
       minus_limb1_U2_opening_fx = limbs.t4[0] - limbs.t5[0] - limbs.t3[0],
       t187 = per_length * (minus_limb1_U2_opening_fx - t185), t207 = t187 * t187 + t206,
       t319 = per_length * minus_limb1_U2_opening_fx, /* limb1 */
       limb2_U_0_sin = SINES(cosine, 2), minus_limb2_U_0_cos = SINES(sine, 2),
       t323 = t318 + (limbs.t12[0] + (t319 * t319 + limbs.t13[0])), /* limb1 */
       t171 = limbs.signed_upper_position_x[1] * (limb2_U_0_sin * t89 - minus_limb2_U_0_cos * t96),
-      t175 = t171 + (limbs.signed_upper_position_x[1] * (limb2_U_0_sin * t76) - limbs.signed_S_opening_fz[1]),
-      t177 = t87 + limbs.t1[1] * t175, t208 = t177 * t177 + t207,
+      t173 = limbs.signed_upper_position_x[1] * (limb2_U_0_sin * t76);
+    NEXT_LIMB(1, assemble_step, 1, stride, sine, cosine, t61, t60, t66, t65, t72, t57, &limbs);
+    NEXT_LIMB(3, assemble_step, 1, stride, sine, cosine, t61, t60, t66, t65, t72, t57, &limbs);
+    const REAL t177 = t87 + limbs.t1[1] * (t171 + (t173 - limbs.signed_S_opening_fz[1])), t208 = t177 * t177 + t207,
       t155 = minus_limb2_U_0_cos * t89 + limb2_U_0_sin * t96, t162 = limbs.S_arm_x[1] * t155,
       t156 = minus_limb2_U_0_cos * t76, t157 = t155 + t156,
       t166 = limbs.t2[1] * (t162 + (limbs.signed_S_opening_fy[1] + limbs.S_arm_x[1] * t156)),
-      t209 = t166 * t166 + t208, t158 = limbs.signed_S_arm_y[1] * t157,
+      t158 = limbs.signed_S_arm_y[1] * t157, t209 = t166 * t166 + t208,
       limb2_S_opening_fx = limbs.t3[1] + limbs.t4[1] + limbs.t5[1], t160 = per_length * (limb2_S_opening_fx - t158),
       t210 = t160 * t160 + t209, t316 = per_length * limb2_S_opening_fx, /* limb2 */
       limb3_U_0_cos = SINES(cosine, 5), limb3_U_0_sin = SINES(sine, 5),
@@ -1578,7 +1590,7 @@ BODY(three_ups_upu_s_assemble_step)(size_t stride, const double *restrict q, con
       t150 = t96 - limbs.t1[2] * t148, t211 = t150 * t150 + t210, t128 = limb3_U_0_sin * t89 + limb3_U_0_cos * t87,
       t135 = limbs.S_arm_x[2] * t128, t129 = limb3_U_0_sin * t76, t130 = t128 + t129,
       t139 = limbs.t2[2] * (t135 + (limbs.signed_S_opening_fy[2] + limbs.S_arm_x[2] * t129)),
-      t212 = t139 * t139 + t211, t131 = limbs.signed_S_arm_y[2] * t130,
+      t131 = limbs.signed_S_arm_y[2] * t130, t212 = t139 * t139 + t211,
       limb3_S_opening_fx = limbs.t4[2] + limbs.t5[2] + limbs.t3[2], t133 = per_length * (t131 - limb3_S_opening_fx),
       t213 = t133 * t133 + t212, t314 = per_length * limb3_S_opening_fx, /* limb3 */
       limb4_U_0_sin = SINES(cosine, 7), minus_limb4_U_0_cos = SINES(sine, 7),
@@ -1588,7 +1600,7 @@ BODY(three_ups_upu_s_assemble_step)(size_t stride, const double *restrict q, con
       t123 = t87 - limbs.t1[3] * t121, t214 = t123 * t123 + t213, t99 = minus_limb4_U_0_cos * t89, t90 = t76 + t89,
       t102 = minus_limb4_U_0_cos * t76, t101 = t99 + limb4_U_0_sin * t96, t103 = t101 + t102,
       t112 = limbs.t2[3] * (limbs.S_arm_x[3] * t101 - (limbs.signed_S_opening_fy[3] - limbs.S_arm_x[3] * t102)),
-      t215 = t112 * t112 + t214, t104 = limbs.signed_S_arm_y[3] * t103,
+      t104 = limbs.signed_S_arm_y[3] * t103, t215 = t112 * t112 + t214,
       limb4_S_opening_fx = limbs.t3[3] + limbs.t4[3] + limbs.t5[3], t106 = per_length * (limb4_S_opening_fx + t104),
       t216 = t106 * t106 + t215, t312 = per_length * limb4_S_opening_fx, /* limb4 */
       residual_residual = SQRT(limbs.t12[3] + (limbs.t13[3] + (t312 * t312 + t329)));
@@ -1623,24 +1635,24 @@ BODY(three_ups_upu_s_assemble_step)(size_t stride, const double *restrict q, con
       t289 = 0.5 * platform_turn_yx_2, platform_turn_zx_2 = t277 + t279, t284 = param_H * (t277 - t279),
       t280 = 0.5 * platform_turn_zx_2, minus_platform_turn_yz = t286 + t287, t290 = 0.5 * (t286 - t287),
       t288 = param_H * minus_platform_turn_yz;
-    FIRST_LIMB(3, assemble_step, 1, stride, q_next, sine, cosine, t283, t284, t290, t275, t304, t288, &limbs);
+    FIRST_LIMB(3, assemble_step, 2, stride, q_next, sine, cosine, t283, t284, t290, t275, t304, t288, &limbs);
     REAL checked3 = ALONE(limbs.checked[3]);
-    NEXT_LIMB(1, assemble_step, 1, stride, q_next, sine, cosine, t283, t284, t290, t275, t304, t288, &limbs);
+    NEXT_LIMB(1, assemble_step, 2, stride, q_next, sine, cosine, t283, t284, t290, t275, t304, t288, &limbs);
     checked0 = checked0 + ALONE(limbs.checked[1]);
-    FIRST_LIMB(3, assemble_step, 2, stride, sine, cosine, SELECT(LESS(limbs.t6[3], 0.0), (-1.0), 1.0), &limbs);
+    FIRST_LIMB(3, assemble_step, 3, stride, sine, cosine, SELECT(LESS(limbs.t6[3], 0.0), (-1.0), 1.0), &limbs);
     RESULT(checked1, q_next, 10, READ(q, 10) + atan2(-limbs.t10[3], limbs.t11[3]));
     RESULT(checked2, q_next, 9, READ(q, 9) + atan2(-limbs.t8[3], limbs.t9[3]));
-    NEXT_LIMB(2, assemble_step, 1, stride, q_next, sine, cosine, t275, t280, t288, t289, t284, t301, &limbs);
+    NEXT_LIMB(2, assemble_step, 2, stride, q_next, sine, cosine, t275, t280, t288, t289, t284, t301, &limbs);
     checked3 = checked3 + ALONE(limbs.checked[2]);
-    NEXT_LIMB(0, assemble_step, 1, stride, q_next, sine, cosine, t275, t280, t288, t289, t284, t301, &limbs);
+    NEXT_LIMB(0, assemble_step, 2, stride, q_next, sine, cosine, t275, t280, t288, t289, t284, t301, &limbs);
     checked0 = checked0 + ALONE(limbs.checked[0]);
-    NEXT_LIMB(2, assemble_step, 2, stride, sine, cosine, SELECT(LESS(-limbs.t6[2], 0.0), (-1.0), 1.0), &limbs);
+    NEXT_LIMB(2, assemble_step, 3, stride, sine, cosine, SELECT(LESS(-limbs.t6[2], 0.0), (-1.0), 1.0), &limbs);
     RESULT(checked1, q_next, 7, READ(q, 7) + atan2(-limbs.t10[2], -limbs.t11[2]));
     RESULT(checked2, q_next, 6, READ(q, 6) + atan2(limbs.t8[2], -limbs.t9[2]));
-    NEXT_LIMB(1, assemble_step, 2, stride, sine, cosine, SELECT(LESS(-limbs.t6[1], 0.0), (-1.0), 1.0), &limbs);
+    NEXT_LIMB(1, assemble_step, 3, stride, sine, cosine, SELECT(LESS(-limbs.t6[1], 0.0), (-1.0), 1.0), &limbs);
     RESULT(checked3, q_next, 4, READ(q, 4) + atan2(limbs.t10[1], -limbs.t11[1]));
     RESULT(checked0, q_next, 3, READ(q, 3) + atan2(limbs.t8[1], -limbs.t9[1]));
-    NEXT_LIMB(0, assemble_step, 2, stride, sine, cosine, SELECT(LESS(-limbs.t6[0], 0.0), (-1.0), 1.0), &limbs);
+    NEXT_LIMB(0, assemble_step, 3, stride, sine, cosine, SELECT(LESS(-limbs.t6[0], 0.0), (-1.0), 1.0), &limbs);
     RESULT(checked1, q_next, 1, READ(q, 1) + atan2(limbs.t10[0], -limbs.t11[0]));
     RESULT(checked2, q_next, 0, READ(q, 0) + atan2(limbs.t8[0], -limbs.t9[0]));
     /* else status 5: no rotation */

@@ -105,7 +105,7 @@ BODY(three_ups_upu_s_momentum_screws)(size_t stride, const double *restrict q, c
       t36 = param_H * platform_turn_xz, t37 = t36 * platform_twist_wz, platform_turn_xy = t17 - t19,
       platform_turn_yx = t17 + t19, t41 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy,
       platform_twist_wx = t41 + limb5_S_v_wz * platform_turn_xz;
-    /* platform: momentum, eq. (31); velocities, eq. (6) */
+    /* platform: momentum, eq. (31); velocities, eq. (6); results */
     const REAL t12 = param_H * platform_turn_zz, platform_momentum_py = platform_m * (t37 - t12 * platform_twist_wx);
     WRITE(momenta, 1, platform_momentum_py);
     const REAL t100 = t36 * platform_momentum_py,
@@ -122,38 +122,38 @@ BODY(three_ups_upu_s_momentum_screws)(size_t stride, const double *restrict q, c
     WRITE(momenta, 5, platform_momentum_Lz);
     const REAL limb1_U_0_sin = SINES(sine, 0), limb1_U_0_cos = SINES(cosine, 0);
     FIRST_LIMB(0, momentum_screws, 0, stride, q, v, momenta, sine, cosine, param_R * limb1_U_0_sin, param_R * limb1_U_0_cos, &limbs);
-    const REAL minus_limb2_U_0_cos = SINES(sine, 2), limb2_U_0_sin = SINES(cosine, 2);
-    /* platform: results; momentum, eq. (31) */
-    const REAL t164 = limbs.signed_upper_momentum_Lz[0] + (platform_momentum_Lz + limbs.signed_lower_momentum_Lz[0]);
+    const REAL minus_limb2_U_0_cos = SINES(sine, 2), limb2_U_0_sin = SINES(cosine, 2),
+      t162 = limbs.signed_upper_momentum_Lz[0] + (platform_momentum_Lz + limbs.signed_lower_momentum_Lz[0]);
     NEXT_LIMB(1, momentum_screws, 0, stride, q, v, momenta, sine, cosine, param_R * minus_limb2_U_0_cos, param_R * limb2_U_0_sin, &limbs);
-    const REAL limb3_U_0_sin = SINES(sine, 4), limb3_U_0_cos = SINES(cosine, 4),
-      t166 = limbs.signed_upper_momentum_Lz[1] + (limbs.signed_lower_momentum_Lz[1] - t164);
+    const REAL limb3_U_0_sin = SINES(sine, 4), limb3_U_0_cos = SINES(cosine, 4);
+    /* platform: results; momentum, eq. (31) */
+    const REAL t164 = t162 - limbs.signed_lower_momentum_Lz[1] - limbs.signed_upper_momentum_Lz[1];
     NEXT_LIMB(2, momentum_screws, 0, stride, q, v, momenta, sine, cosine, param_R * limb3_U_0_sin, param_R * limb3_U_0_cos, &limbs);
     const REAL minus_limb4_U_0_cos = SINES(sine, 6), limb4_U_0_sin = SINES(cosine, 6),
-      t168 = limbs.signed_upper_momentum_Lz[2] + (limbs.signed_lower_momentum_Lz[2] + t166);
+      t166 = t164 - limbs.signed_lower_momentum_Lz[2] - limbs.signed_upper_momentum_Lz[2];
     NEXT_LIMB(3, momentum_screws, 0, stride, q, v, momenta, sine, cosine, param_R * minus_limb4_U_0_cos, param_R * limb4_U_0_sin, &limbs);
-    const REAL t170 = t168 - limbs.signed_lower_momentum_Lz[3] - limbs.signed_upper_momentum_Lz[3];
-    REAL checked0 = t170;
-    WRITE(total_, 5, -t170);
+    const REAL Lz_total = t166 + limbs.signed_lower_momentum_Lz[3] + limbs.signed_upper_momentum_Lz[3];
+    WRITE(total_, 5, Lz_total);
+    REAL checked0 = Lz_total;
+    const REAL t74 = t12 * platform_momentum_px, t49 = t12 * platform_momentum_py,
+      t135 = limbs.signed_lower_momentum_px[1] + (limbs.upper_momentum_py[0] + (platform_momentum_py + limbs.lower_momentum_py[0])),
+      t138 = limbs.upper_momentum_py[2] + (limbs.lower_momentum_py[2] + (limbs.signed_upper_momentum_px[1] + t135)),
+      py_total = t138 - limbs.signed_lower_momentum_px[3] - limbs.signed_upper_momentum_px[3];
+    WRITE(total_, 1, py_total);
+    REAL checked1 = py_total;
     const REAL t127 = limbs.signed_upper_momentum_px[0] + (platform_momentum_px + limbs.signed_lower_momentum_px[0]),
       t130 = limbs.upper_momentum_py[1] + (limbs.lower_momentum_py[1] + t127) - limbs.signed_lower_momentum_px[2],
-      t133 = limbs.signed_upper_momentum_px[2] - t130 - limbs.lower_momentum_py[3] - limbs.upper_momentum_py[3];
-    REAL checked1 = t133;
-    WRITE(total_, 0, -t133);
-    const REAL t74 = t12 * platform_momentum_px, t49 = t12 * platform_momentum_py,
-      t136 = limbs.signed_lower_momentum_px[1] + (limbs.upper_momentum_py[0] + (platform_momentum_py + limbs.lower_momentum_py[0])),
-      t139 = limbs.upper_momentum_py[2] + (limbs.lower_momentum_py[2] + (limbs.signed_upper_momentum_px[1] + t136)),
-      py_total = t139 - limbs.signed_lower_momentum_px[3] - limbs.signed_upper_momentum_px[3];
-    WRITE(total_, 1, py_total);
-    REAL checked2 = py_total;
+      px_total = t130 - limbs.signed_upper_momentum_px[2] + limbs.lower_momentum_py[3] + limbs.upper_momentum_py[3];
+    WRITE(total_, 0, px_total);
+    REAL checked2 = px_total;
     const REAL platform_momentum_pz = platform_m * (t27 * platform_twist_wx - t36 * platform_twist_wy);
     WRITE(momenta, 2, platform_momentum_pz);
     const REAL t76 = t74 - t36 * platform_momentum_pz, t50 = t27 * platform_momentum_pz - t49,
-      t142 = limbs.signed_upper_momentum_pz[0] - (platform_momentum_pz - limbs.signed_lower_momentum_pz[0]),
-      t145 = limbs.signed_upper_momentum_pz[1] + (limbs.signed_lower_momentum_pz[1] - t142) - limbs.signed_lower_momentum_pz[2],
-      t148 = limbs.signed_upper_momentum_pz[3] + (limbs.signed_lower_momentum_pz[3] + (t145 - limbs.signed_upper_momentum_pz[2]));
-    WRITE(total_, 2, t148);
-    REAL checked3 = t148;
+      t141 = limbs.signed_upper_momentum_pz[0] - (platform_momentum_pz - limbs.signed_lower_momentum_pz[0]),
+      t144 = limbs.signed_upper_momentum_pz[1] + (limbs.signed_lower_momentum_pz[1] - t141) - limbs.signed_lower_momentum_pz[2],
+      pz_total = t144 - limbs.signed_upper_momentum_pz[2] + limbs.signed_lower_momentum_pz[3] + limbs.signed_upper_momentum_pz[3];
+    WRITE(total_, 2, pz_total);
+    REAL checked3 = pz_total;
     /* platform: momentum, eq. (31); results */
     const REAL t77 = platform_Ixx * platform_turn_yx, t78 = platform_turn_xx * t77,
       t79 = platform_Ixx * platform_turn_yy, t81 = t78 + platform_turn_xy * t79,
@@ -162,9 +162,9 @@ BODY(three_ups_upu_s_momentum_screws)(size_t stride, const double *restrict q, c
       t91 = platform_twist_wy * (platform_turn_yx * t77 + platform_turn_yy * t79 + platform_turn_yz * t82),
       platform_momentum_Ly = t76 + (t85 + t91 + platform_twist_wz * (t95 + platform_turn_zz * t82));
     WRITE(momenta, 4, platform_momentum_Ly);
-    const REAL t157 = limbs.signed_upper_momentum_Ly[0] - (platform_momentum_Ly - limbs.signed_lower_momentum_Ly[0]),
-      t160 = limbs.signed_lower_momentum_Ly[2] - (t157 - limbs.lower_momentum_Lx[1] - limbs.upper_momentum_Lx[1]);
-    RESULT(checked0, total_, 4, limbs.upper_momentum_Lx[3] + (limbs.lower_momentum_Lx[3] + (limbs.signed_upper_momentum_Ly[2] + t160)));
+    const REAL t155 = limbs.signed_upper_momentum_Ly[0] - (platform_momentum_Ly - limbs.signed_lower_momentum_Ly[0]),
+      t158 = limbs.signed_lower_momentum_Ly[2] - (t155 - limbs.lower_momentum_Lx[1] - limbs.upper_momentum_Lx[1]);
+    RESULT(checked0, total_, 4, limbs.upper_momentum_Lx[3] + (limbs.lower_momentum_Lx[3] + (limbs.signed_upper_momentum_Ly[2] + t158)));
     const REAL t53 = platform_Ixx * platform_turn_xy, t54 = platform_turn_xy * t53, t61 = platform_turn_yy * t53,
       t68 = platform_turn_zy * t53, t51 = platform_Ixx * platform_turn_xx, t55 = platform_turn_xx * t51 + t54,
       t62 = platform_turn_yx * t51 + t61, t69 = platform_turn_zx * t51 + t68, t56 = platform_Izz * platform_turn_xz,
@@ -172,9 +172,9 @@ BODY(three_ups_upu_s_momentum_screws)(size_t stride, const double *restrict q, c
       t66 = t59 + platform_twist_wy * (t62 + platform_turn_yz * t56),
       platform_momentum_Lx = t50 + (t66 + platform_twist_wz * (t69 + platform_turn_zz * t56));
     WRITE(momenta, 3, platform_momentum_Lx);
-    const REAL t151 = limbs.upper_momentum_Lx[0] + (platform_momentum_Lx + limbs.lower_momentum_Lx[0]) - limbs.signed_lower_momentum_Ly[1],
-      t154 = limbs.upper_momentum_Lx[2] + (limbs.lower_momentum_Lx[2] + (t151 - limbs.signed_upper_momentum_Ly[1]));
-    RESULT(checked1, total_, 3, limbs.signed_upper_momentum_Ly[3] + (limbs.signed_lower_momentum_Ly[3] + t154));
+    const REAL t149 = limbs.upper_momentum_Lx[0] + (platform_momentum_Lx + limbs.lower_momentum_Lx[0]) - limbs.signed_lower_momentum_Ly[1],
+      t152 = limbs.upper_momentum_Lx[2] + (limbs.lower_momentum_Lx[2] + (t149 - limbs.signed_upper_momentum_Ly[1]));
+    RESULT(checked1, total_, 3, limbs.signed_upper_momentum_Ly[3] + (limbs.signed_lower_momentum_Ly[3] + t152));
     /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
@@ -244,7 +244,7 @@ STAGE(momentum_rates, 0)(size_t limb, size_t stride, const double *restrict q, c
       t97 = t95 + t6 * t81, t186 = U_a_0 * t83 - t185, t99 = t91 - t300 * t83 - signed_lower_twist_wz * t97,
       t188 = t186 + signed_lower_twist_rate_wz * t97,
       signed_lower_momentum_Lz = t99 + (t39 * signed_lower_momentum_py + t25 * lower_momentum_px),
-      t103 = lower_twist_wy * signed_lower_momentum_Lz, t172 = t300 * signed_lower_momentum_Lz,
+      t103 = lower_twist_wy * signed_lower_momentum_Lz, t171 = t300 * signed_lower_momentum_Lz,
       t106 = limb_lower_Ixx * t23 - limb_lower_Ixz * t19, t114 = t23 * t106, t115 = limb_lower_Iyy * U_0_cos,
       t117 = t114 + U_0_cos * t115, t123 = signed_U_0_sin * t115, t110 = limb_lower_Ixz * t23 - limb_lower_Izz * t19,
       t119 = t117 - t19 * t110, t120 = lower_twist_wy * t119, t176 = signed_lower_twist_rate_wy * t119,
@@ -256,20 +256,20 @@ STAGE(momentum_rates, 0)(size_t limb, size_t stride, const double *restrict q, c
       t133 = t103 + signed_lower_twist_wz * minus_lower_momentum_Ly, t194 = t300 * minus_lower_momentum_Ly,
       t135 = signed_lower_twist_vz * signed_lower_momentum_py,
       t137 = t133 + (t135 - signed_lower_twist_vy * signed_lower_momentum_pz),
-      t170 = t25 * signed_lower_momentum_pz - t12 * signed_lower_momentum_py, t181 = t39 * t74, t189 = t39 * t57,
+      t169 = t25 * signed_lower_momentum_pz - t12 * signed_lower_momentum_py, t181 = t39 * t74, t189 = t39 * t57,
       t160 = t25 * t74 - t12 * t57, t140 = limb_lower_Ixx * t36 - limb_lower_Ixz * t32, t148 = t23 * t140,
       t153 = t10 * t140, t141 = t36 * t140, t144 = limb_lower_Ixz * t36 - limb_lower_Izz * t32,
       t146 = t141 - t32 * t144, t150 = t148 - t19 * t144, t155 = t153 - t6 * t144,
-      t165 = t300 * t146 - lower_twist_wy * t150,
+      t164 = t300 * t146 - lower_twist_wy * t150,
       t157 = U_a_0 * t146 - signed_lower_twist_rate_wy * t150 + signed_lower_twist_rate_wz * t155,
       lower_rate_at_O_mx = t137 + (t157 + t160);
     WRITE4(momentum_rates, 9, 22, 33, 46, lower_rate_at_O_mx);
     checked = checked + lower_rate_at_O_mx;
-    const LIMB4 t167 = t165 + signed_lower_twist_wz * t155, signed_lower_momentum_Lx = t167 + t170,
-      t173 = signed_lower_twist_wz * signed_lower_momentum_Lx - t172,
+    const LIMB4 t166 = t164 + signed_lower_twist_wz * t155, signed_lower_momentum_Lx = t166 + t169,
+      t172 = signed_lower_twist_wz * signed_lower_momentum_Lx - t171,
       t197 = signed_lower_twist_vy * lower_momentum_px + (t194 + lower_twist_wy * signed_lower_momentum_Lx),
-      signed_lower_rate_at_O_my = signed_lower_twist_vz * lower_momentum_px - t173 + (t179 - (t12 * t28 + t181));
-    WRITE4(momentum_rates, 10, 21, 34, 45, -sign1 * signed_lower_rate_at_O_my);
+      signed_lower_rate_at_O_my = t172 - signed_lower_twist_vz * lower_momentum_px - (t179 - (t12 * t28 + t181));
+    WRITE4(momentum_rates, 10, 21, 34, 45, sign1 * signed_lower_rate_at_O_my);
     checked = checked + signed_lower_rate_at_O_my;
     const LIMB4 signed_lower_rate_at_O_mz = t188 - (t189 + t25 * t28) + t197;
     WRITE4(momentum_rates, 11, 23, 35, 47, -sign3 * signed_lower_rate_at_O_mz);
@@ -317,7 +317,7 @@ STAGE(momentum_rates, 0)(size_t limb, size_t stride, const double *restrict q, c
     checked = checked + upper_rate_at_O_mx;
     const LIMB4 t282 = t280 - upper_twist_vx * signed_upper_momentum_pz,
       t297 = upper_twist_vx * signed_upper_momentum_py - t296,
-      signed_upper_momentum_Lx = t167 + (t205 * signed_upper_momentum_pz - t203 * signed_upper_momentum_py),
+      signed_upper_momentum_Lx = t166 + (t205 * signed_upper_momentum_pz - t203 * signed_upper_momentum_py),
       t283 = signed_lower_twist_wz * signed_upper_momentum_Lx - t278 - t282,
       t298 = t292 + lower_twist_wy * signed_upper_momentum_Lx - t297,
       signed_upper_rate_at_O_my = t283 - (t179 - (t203 * t209 - t285));
@@ -548,31 +548,32 @@ STAGE(bias, 0)(size_t limb, size_t stride, const double *restrict q, const doubl
     double *restrict bias, const double *restrict sine, const double *restrict cosine, LIMBS(bias) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0), sign2 = OF4(1.0, -1.0, -1.0, 1.0), each_k12 = -sign2 * k12,
-      each_gravity_z = sign2 * gravity_z, each_gravity_z_2 = -sign2 * gravity_z;
+    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0), sign2 = OF4(1.0, -1.0, -1.0, 1.0),
+      sign3 = OF4(1.0, -1.0, -1.0, -1.0), each_k11 = sign3 * k11, sign4 = OF4(1.0, 1.0, 1.0, -1.0),
+      each_gravity_z = -sign2 * gravity_z;
     const LIMB4 t22 = sign1 * IN_EACH4(SINES, cosine, 1, 2), U_v_0 = IN_EACH4(READ, v, 0, 3),
-      t23 = sign2 * (U_v_0 * t22), P_v = IN_EACH4(READ, v, 2, 3), signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
+      t24 = sign2 * (U_v_0 * t22), P_v = IN_EACH4(READ, v, 2, 3), U_v_1 = IN_EACH4(READ, v, 1, 3),
+      t25 = sign2 * (P_v * t24), t23 = sign2 * U_v_1, signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
     /* each limb: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47) */
-    const LIMB4 t4 = P_v * t23, signed_lower_omega_x = U_v_0 * signed_lower_sin, U_v_1 = IN_EACH4(READ, v, 1, 3),
-      signed_lower_alpha_still_y = U_v_1 * signed_lower_omega_x, lower_U_still_xy = signed_lower_omega_x * t23,
+    const LIMB4 signed_lower_omega_x = U_v_0 * signed_lower_sin,
+      signed_lower_alpha_still_y = t23 * signed_lower_omega_x, lower_U_still_xy = signed_lower_omega_x * t24,
       upper_offset_x = IN_EACH4(READ, q, 2, 3) + limb_upper_phase, signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2),
-      signed_upper_acc_still_z = each_gravity_z * signed_U_0_sin - 2.0 * (t4 - upper_offset_x * signed_lower_alpha_still_y),
+      signed_upper_acc_still_z = gravity_z * signed_U_0_sin - 2.0 * (t25 - upper_offset_x * signed_lower_alpha_still_y),
       signed_upper_rate_my = limb_lower_mx * signed_upper_acc_still_z,
       t9 = signed_upper_rate_my + upper_offset_x * (k8 * signed_lower_alpha_still_y - limb_lower_m * signed_upper_acc_still_z),
-      signed_lower_moment_y = each_k12 * signed_lower_alpha_still_y - gravity_z_limb_lower_mx * signed_U_0_sin + sign2 * t9,
-      U_0_moment_z = signed_lower_sin * (k11 * (U_v_1 * t23)) + t22 * signed_lower_moment_y;
+      t10 = t22 * (gravity_z_limb_lower_mx * signed_U_0_sin + k12 * signed_lower_alpha_still_y - t9),
+      U_0_moment_z = sign4 * (signed_lower_sin * (each_k11 * (t23 * t24))) - t10;
     WRITE4(bias, 0, 3, 6, 9, U_0_moment_z);
     LIMB4 checked = U_0_moment_z;
-    const LIMB4 t20 = t23 * t23, t14 = upper_offset_x * lower_U_still_xy,
-      signed_U_0_acc_y = each_gravity_z_2 * IN_EACH4(SINES, cosine, 0, 2),
-      signed_lower_acc_x = t22 * signed_U_0_acc_y, lower_acc_y = signed_lower_sin * signed_U_0_acc_y,
-      t25 = sign2 * signed_lower_acc_x, upper_acc_still_y = P_v * (2.0 * U_v_1) + (t14 + lower_acc_y),
+    const LIMB4 minus_lower_U_still_xx = t24 * t24 + t23 * t23, t14 = upper_offset_x * lower_U_still_xy,
+      signed_U_0_acc_y = each_gravity_z * IN_EACH4(SINES, cosine, 0, 2), signed_lower_acc_x = t22 * signed_U_0_acc_y,
+      lower_acc_y = signed_lower_sin * signed_U_0_acc_y, t27 = sign2 * signed_lower_acc_x,
+      upper_acc_still_y = P_v * (2.0 * U_v_1) + (t14 + lower_acc_y),
       t18 = k9 * lower_U_still_xy + limb_lower_mx * (lower_acc_y - upper_acc_still_y),
       lower_moment_z = t18 + upper_offset_x * (limb_lower_m * upper_acc_still_y - limb_lower_mx * lower_U_still_xy);
     WRITE4(bias, 1, 4, 7, 10, lower_moment_z);
     checked = checked + lower_moment_z;
-    const LIMB4 minus_lower_U_still_xx = t20 + U_v_1 * U_v_1,
-      minus_lower_force_x = limb_lower_m * (upper_offset_x * minus_lower_U_still_xx + t25),
+    const LIMB4 minus_lower_force_x = limb_lower_m * (upper_offset_x * minus_lower_U_still_xx + t27),
       upper_rate_fx = limb_lower_mx * minus_lower_U_still_xx - minus_lower_force_x;
     WRITE4(bias, 2, 5, 8, 11, upper_rate_fx);
     checked = checked + upper_rate_fx;

@@ -2,7 +2,7 @@
 
 Mechanism: three_ups_upu_s, two rotations about O, four driven sliders; inertias as printed in Table 3
 Effects: Gravity(acceleration=(0, 0, '-9.81'))
-Programs: 26f4764ccb5869f7
+Programs: 8f2097a5d4146797
 Note: bodies.platform: the radius of gyration 5.665 m exceeds the body's extent 1.0 m (joint points,
   named points and centre of mass); are inertia and units right?
 Note: bodies.limb1_lower, bodies.limb1_upper, bodies.limb2_lower, bodies.limb2_upper,
@@ -226,7 +226,7 @@ def body_poses(*arguments):
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
       5 no rotation: the length of a quaternion differs from 1 by more than rounding; all outputs are
         NaN
-    Operations: 285 (add 137, mul 129, trig 16, compare 3)
+    Operations: 273 (add 125, mul 129, trig 16, compare 3)
     """
     entries, batch = _entries("body_poses", {"q": 16}, arguments)
     (
@@ -283,124 +283,113 @@ def body_poses(*arguments):
         limb1_lower_poses_Ryz = -t36
         limb1_lower_poses_Rzz = 0.8660254037844386 * limb1_lower_rotation_zx + 0.5 * minus_limb1_lower_rotation_zy
         limb1_lower_poses_x = 0.8 * limb1_lower_poses_Rxx - 0.8
-        t40 = 0.8 * t29
-        limb1_lower_poses_y = -t40
+        limb1_lower_poses_y = (-0.8) * t29
         limb1_lower_poses_z = 0.8 * limb1_lower_poses_Rzx
-        t43 = 0.5 * limb1_lower_poses_Rxx - 0.5196152422706631 * limb1_lower_poses_Rxz
+        t42 = 0.5 * limb1_lower_poses_Rxx - 0.5196152422706631 * limb1_lower_poses_Rxz
         limb1_upper_offset_x = 0.3 + limb1_P_q
-        limb1_upper_poses_x = t43 - (0.8 - limb1_lower_sin * limb1_upper_offset_x)
-        t47 = limb1_upper_offset_x * minus_limb1_lower_rotation_yx + (0.5 * t29 - 0.5196152422706631 * t36)
-        limb1_upper_poses_y = -t47
+        limb1_upper_poses_x = t42 - (0.8 - limb1_lower_sin * limb1_upper_offset_x)
+        limb1_upper_poses_y = 0.5196152422706631 * t36 - 0.5 * t29 - limb1_upper_offset_x * minus_limb1_lower_rotation_yx
         limb1_upper_position_z = limb1_upper_offset_x * limb1_lower_rotation_zx
         limb1_upper_poses_z = limb1_upper_position_z + (0.5 * limb1_lower_poses_Rzx - 0.5196152422706631 * limb1_lower_poses_Rzz)
         # limb2: geometry
         limb2_U_0_sin = np.cos(limb2_U_q_0)
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
         limb2_U_0_cos = -minus_limb2_U_0_cos
-        t51 = 2.6179938779914944 + limb2_U_q_1
-        limb2_lower_cos = np.cos(t51)
+        t49 = 2.6179938779914944 + limb2_U_q_1
+        limb2_lower_cos = np.cos(t49)
         minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos
         # limb2: results; geometry
-        t52 = 0.5 * minus_limb2_lower_rotation_xx
-        limb2_lower_sin = np.sin(t51)
+        t50 = 0.5 * minus_limb2_lower_rotation_xx
+        limb2_lower_sin = np.sin(t49)
         limb2_lower_rotation_xy = minus_limb2_U_0_cos * limb2_lower_sin
-        t54 = t52 + 0.8660254037844386 * limb2_lower_rotation_xy
-        limb2_lower_poses_Rxy = -t54
+        t52 = t50 + 0.8660254037844386 * limb2_lower_rotation_xy
+        limb2_lower_poses_Rxy = -t52
         limb2_lower_poses_Ryy = 0.5 * limb2_lower_sin - 0.8660254037844386 * limb2_lower_cos
         minus_limb2_lower_rotation_zx = limb2_U_0_sin * limb2_lower_cos
-        t57 = 0.5 * minus_limb2_lower_rotation_zx
+        t55 = 0.5 * minus_limb2_lower_rotation_zx
         limb2_lower_rotation_zy = limb2_U_0_sin * limb2_lower_sin
-        t59 = t57 + 0.8660254037844386 * limb2_lower_rotation_zy
-        limb2_lower_poses_Rzy = -t59
-        t62 = 0.8660254037844386 * minus_limb2_lower_rotation_xx - 0.5 * limb2_lower_rotation_xy
-        limb2_lower_poses_Rxz = -t62
+        t57 = t55 + 0.8660254037844386 * limb2_lower_rotation_zy
+        limb2_lower_poses_Rzy = -t57
+        t60 = 0.8660254037844386 * minus_limb2_lower_rotation_xx - 0.5 * limb2_lower_rotation_xy
+        limb2_lower_poses_Rxz = -t60
         limb2_lower_poses_Ryz = 0.8660254037844386 * limb2_lower_sin + 0.5 * limb2_lower_cos
-        t67 = 0.8660254037844386 * minus_limb2_lower_rotation_zx - 0.5 * limb2_lower_rotation_zy
-        limb2_lower_poses_Rzz = -t67
-        t68 = 0.8 * t54
-        limb2_lower_poses_x = -t68
+        t65 = 0.8660254037844386 * minus_limb2_lower_rotation_zx - 0.5 * limb2_lower_rotation_zy
+        limb2_lower_poses_Rzz = -t65
+        limb2_lower_poses_x = (-0.8) * t52
         limb2_lower_poses_y = 0.8 * limb2_lower_poses_Ryy - 0.8
-        t70 = 0.8 * t59
-        limb2_lower_poses_z = -t70
+        limb2_lower_poses_z = (-0.8) * t57
+        t69 = 0.5196152422706631 * t60 - 0.5 * t52
         limb2_upper_offset_x = 0.3 + limb2_P_q
-        t74 = limb2_upper_offset_x * minus_limb2_lower_rotation_xx + (0.5 * t54 - 0.5196152422706631 * t62)
-        limb2_upper_poses_x = -t74
-        t77 = 0.5 * limb2_lower_poses_Ryy - 0.5196152422706631 * limb2_lower_poses_Ryz
-        limb2_upper_poses_y = t77 - (0.8 - limb2_lower_sin * limb2_upper_offset_x)
-        t81 = limb2_upper_offset_x * minus_limb2_lower_rotation_zx + (0.5 * t59 - 0.5196152422706631 * t67)
-        limb2_upper_poses_z = -t81
+        limb2_upper_poses_x = t69 - limb2_upper_offset_x * minus_limb2_lower_rotation_xx
+        t72 = 0.5 * limb2_lower_poses_Ryy - 0.5196152422706631 * limb2_lower_poses_Ryz
+        limb2_upper_poses_y = t72 - (0.8 - limb2_lower_sin * limb2_upper_offset_x)
+        limb2_upper_poses_z = 0.5196152422706631 * t65 - 0.5 * t57 - limb2_upper_offset_x * minus_limb2_lower_rotation_zx
         # limb3: geometry; results
-        t82 = 0.5235987755982989 - limb3_U_q_1
-        minus_limb3_lower_sin = np.sin(t82)
-        t83 = 0.5 * minus_limb3_lower_sin
-        limb3_lower_cos = np.cos(t82)
-        limb3_lower_poses_Rxx = t83 + 0.8660254037844386 * limb3_lower_cos
+        t76 = 0.5235987755982989 - limb3_U_q_1
+        minus_limb3_lower_sin = np.sin(t76)
+        t77 = 0.5 * minus_limb3_lower_sin
+        limb3_lower_cos = np.cos(t76)
+        limb3_lower_poses_Rxx = t77 + 0.8660254037844386 * limb3_lower_cos
         limb3_U_0_sin = np.sin(limb3_U_q_0)
         minus_limb3_lower_rotation_yx = limb3_U_0_sin * limb3_lower_cos
         # limb3: results; geometry
-        t85 = 0.5 * minus_limb3_lower_rotation_yx
+        t79 = 0.5 * minus_limb3_lower_rotation_yx
         minus_limb3_lower_rotation_yy = limb3_U_0_sin * minus_limb3_lower_sin
-        limb3_lower_poses_Ryx = t85 - 0.8660254037844386 * minus_limb3_lower_rotation_yy
+        limb3_lower_poses_Ryx = t79 - 0.8660254037844386 * minus_limb3_lower_rotation_yy
         limb3_U_0_cos = np.cos(limb3_U_q_0)
         limb3_lower_rotation_zx = limb3_U_0_cos * limb3_lower_cos
-        t87 = 0.5 * limb3_lower_rotation_zx
+        t81 = 0.5 * limb3_lower_rotation_zx
         limb3_lower_rotation_zy = limb3_U_0_cos * minus_limb3_lower_sin
-        t89 = t87 - 0.8660254037844386 * limb3_lower_rotation_zy
-        limb3_lower_poses_Rzx = -t89
-        t92 = 0.8660254037844386 * minus_limb3_lower_sin - 0.5 * limb3_lower_cos
-        limb3_lower_poses_Rxz = -t92
-        t95 = 0.8660254037844386 * minus_limb3_lower_rotation_yx + 0.5 * minus_limb3_lower_rotation_yy
-        limb3_lower_poses_Ryz = -t95
+        t83 = t81 - 0.8660254037844386 * limb3_lower_rotation_zy
+        limb3_lower_poses_Rzx = -t83
+        t86 = 0.8660254037844386 * minus_limb3_lower_sin - 0.5 * limb3_lower_cos
+        limb3_lower_poses_Rxz = -t86
+        t89 = 0.8660254037844386 * minus_limb3_lower_rotation_yx + 0.5 * minus_limb3_lower_rotation_yy
+        limb3_lower_poses_Ryz = -t89
         limb3_lower_poses_Rzz = 0.8660254037844386 * limb3_lower_rotation_zx + 0.5 * limb3_lower_rotation_zy
         limb3_lower_poses_x = 0.8 - 0.8 * limb3_lower_poses_Rxx
-        t99 = 0.8 * limb3_lower_poses_Ryx
-        limb3_lower_poses_y = -t99
-        limb3_lower_poses_z = 0.8 * t89
+        limb3_lower_poses_y = (-0.8) * limb3_lower_poses_Ryx
+        limb3_lower_poses_z = 0.8 * t83
         limb3_upper_offset_x = 0.3 + limb3_P_q
         limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
-        limb3_upper_poses_x = limb3_upper_position_x - (0.5 * limb3_lower_poses_Rxx - 0.5196152422706631 * t92)
-        minus_limb3_upper_position_y = limb3_upper_offset_x * minus_limb3_lower_rotation_yx
-        t106 = minus_limb3_upper_position_y + (0.5 * limb3_lower_poses_Ryx - 0.5196152422706631 * t95)
-        limb3_upper_poses_y = -t106
+        limb3_upper_poses_x = limb3_upper_position_x - (0.5 * limb3_lower_poses_Rxx - 0.5196152422706631 * t86)
+        t98 = 0.5196152422706631 * t89 - 0.5 * limb3_lower_poses_Ryx
+        limb3_upper_poses_y = t98 - limb3_upper_offset_x * minus_limb3_lower_rotation_yx
         limb3_upper_position_z = limb3_upper_offset_x * limb3_lower_rotation_zx
-        limb3_upper_poses_z = limb3_upper_position_z + (0.5 * t89 - 0.5196152422706631 * limb3_lower_poses_Rzz)
+        limb3_upper_poses_z = limb3_upper_position_z + (0.5 * t83 - 0.5196152422706631 * limb3_lower_poses_Rzz)
         # limb4: geometry
         limb4_U_0_sin = np.cos(limb4_U_q_0)
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
         limb4_U_0_cos = -minus_limb4_U_0_cos
-        t110 = 2.6179938779914944 - limb4_U_q_1
-        limb4_lower_cos = np.cos(t110)
+        t102 = 2.6179938779914944 - limb4_U_q_1
+        limb4_lower_cos = np.cos(t102)
         minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos
         # limb4: results; geometry
-        t111 = 0.5 * minus_limb4_lower_rotation_xx
-        minus_limb4_lower_sin = np.sin(t110)
+        t103 = 0.5 * minus_limb4_lower_rotation_xx
+        minus_limb4_lower_sin = np.sin(t102)
         minus_limb4_lower_rotation_xy = minus_limb4_U_0_cos * minus_limb4_lower_sin
-        limb4_lower_poses_Rxy = t111 + 0.8660254037844386 * minus_limb4_lower_rotation_xy
+        limb4_lower_poses_Rxy = t103 + 0.8660254037844386 * minus_limb4_lower_rotation_xy
         limb4_lower_poses_Ryy = 0.5 * minus_limb4_lower_sin - 0.8660254037844386 * limb4_lower_cos
         minus_limb4_lower_rotation_zx = limb4_U_0_sin * limb4_lower_cos
-        t115 = 0.5 * minus_limb4_lower_rotation_zx
+        t107 = 0.5 * minus_limb4_lower_rotation_zx
         minus_limb4_lower_rotation_zy = limb4_U_0_sin * minus_limb4_lower_sin
-        limb4_lower_poses_Rzy = t115 + 0.8660254037844386 * minus_limb4_lower_rotation_zy
-        t119 = 0.8660254037844386 * minus_limb4_lower_rotation_xx - 0.5 * minus_limb4_lower_rotation_xy
-        limb4_lower_poses_Rxz = -t119
-        t122 = 0.8660254037844386 * minus_limb4_lower_sin + 0.5 * limb4_lower_cos
-        limb4_lower_poses_Ryz = -t122
-        t125 = 0.8660254037844386 * minus_limb4_lower_rotation_zx - 0.5 * minus_limb4_lower_rotation_zy
-        limb4_lower_poses_Rzz = -t125
-        t126 = 0.8 * limb4_lower_poses_Rxy
-        limb4_lower_poses_x = -t126
+        limb4_lower_poses_Rzy = t107 + 0.8660254037844386 * minus_limb4_lower_rotation_zy
+        t111 = 0.8660254037844386 * minus_limb4_lower_rotation_xx - 0.5 * minus_limb4_lower_rotation_xy
+        limb4_lower_poses_Rxz = -t111
+        t114 = 0.8660254037844386 * minus_limb4_lower_sin + 0.5 * limb4_lower_cos
+        limb4_lower_poses_Ryz = -t114
+        t117 = 0.8660254037844386 * minus_limb4_lower_rotation_zx - 0.5 * minus_limb4_lower_rotation_zy
+        limb4_lower_poses_Rzz = -t117
+        limb4_lower_poses_x = (-0.8) * limb4_lower_poses_Rxy
         limb4_lower_poses_y = 0.8 - 0.8 * limb4_lower_poses_Ryy
-        t128 = 0.8 * limb4_lower_poses_Rzy
-        limb4_lower_poses_z = -t128
+        limb4_lower_poses_z = (-0.8) * limb4_lower_poses_Rzy
+        t121 = 0.5196152422706631 * t111 - 0.5 * limb4_lower_poses_Rxy
         limb4_upper_offset_x = 0.3 + limb4_P_q
-        minus_limb4_upper_position_x = limb4_upper_offset_x * minus_limb4_lower_rotation_xx
-        t132 = minus_limb4_upper_position_x + (0.5 * limb4_lower_poses_Rxy - 0.5196152422706631 * t119)
-        limb4_upper_poses_x = -t132
+        limb4_upper_poses_x = t121 - limb4_upper_offset_x * minus_limb4_lower_rotation_xx
         limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
-        limb4_upper_poses_y = limb4_upper_position_y - (0.5 * limb4_lower_poses_Ryy - 0.5196152422706631 * t122)
-        minus_limb4_upper_position_z = limb4_upper_offset_x * minus_limb4_lower_rotation_zx
-        t139 = minus_limb4_upper_position_z + (0.5 * limb4_lower_poses_Rzy - 0.5196152422706631 * t125)
-        limb4_upper_poses_z = -t139
+        limb4_upper_poses_y = limb4_upper_position_y - (0.5 * limb4_lower_poses_Ryy - 0.5196152422706631 * t114)
+        t127 = 0.5196152422706631 * t117 - 0.5 * limb4_lower_poses_Rzy
+        limb4_upper_poses_z = t127 - limb4_upper_offset_x * minus_limb4_lower_rotation_zx
         return _finish(batch, ((platform_turn_xx, platform_turn_yx, platform_turn_zx,
             platform_turn_xy, platform_turn_yy, platform_turn_zy, platform_turn_xz,
             platform_turn_yz, platform_turn_zz, 0.0, 0.0, 0.0, limb1_lower_poses_Rxx,
@@ -430,10 +419,12 @@ def body_poses(*arguments):
             limb4_upper_poses_x, limb4_upper_poses_y, limb4_upper_poses_z),), (), (platform_turn_xx,
             platform_turn_yx, platform_turn_zx, platform_turn_xy, platform_turn_yy,
             platform_turn_zy, platform_turn_xz, platform_turn_yz, platform_turn_zz,
-            limb1_lower_poses_x, t40, limb1_lower_poses_z, limb1_upper_poses_x, t47,
-            limb1_upper_poses_z, t68, limb2_lower_poses_y, t70, t74, limb2_upper_poses_y, t81,
-            limb3_lower_poses_x, t99, limb3_lower_poses_z, limb3_upper_poses_x, t106,
-            limb3_upper_poses_z, t126, limb4_lower_poses_y, t128, t132, limb4_upper_poses_y, t139),
+            limb1_lower_poses_x, limb1_lower_poses_y, limb1_lower_poses_z, limb1_upper_poses_x,
+            limb1_upper_poses_y, limb1_upper_poses_z, limb2_lower_poses_x, limb2_lower_poses_y,
+            limb2_lower_poses_z, limb2_upper_poses_x, limb2_upper_poses_y, limb2_upper_poses_z,
+            limb3_lower_poses_x, limb3_lower_poses_y, limb3_lower_poses_z, limb3_upper_poses_x,
+            limb3_upper_poses_y, limb3_upper_poses_z, limb4_lower_poses_x, limb4_lower_poses_y,
+            limb4_lower_poses_z, limb4_upper_poses_x, limb4_upper_poses_y, limb4_upper_poses_z),
             ((t7, 0.999999, 1.000001, 5),))
 
 
@@ -639,7 +630,7 @@ def body_twist_rates(*arguments):
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
       5 no rotation: the length of a quaternion differs from 1 by more than rounding; all outputs are
         NaN
-    Operations: 281 (add 116, mul 146, trig 16, compare 3)
+    Operations: 279 (add 114, mul 146, trig 16, compare 3)
     """
     entries, batch = _entries("body_twist_rates", {"q": 16, "v": 15, "a": 15}, arguments)
     (
@@ -694,17 +685,15 @@ def body_twist_rates(*arguments):
         limb1_lower_cos = np.cos(t48)
         limb1_lower_rotation_zx = limb1_U_0_cos * limb1_lower_cos
         limb1_lower_twist_wy = limb1_U_v_1 * limb1_U_0_cos
-        # limb1: accelerations; geometry; velocities, eq. (6)
         t50 = limb1_lower_rotation_zx * limb1_lower_twist_wy
         minus_limb1_lower_rotation_yx = limb1_U_0_sin * limb1_lower_cos
         limb1_lower_twist_wz = limb1_U_v_1 * limb1_U_0_sin
         limb1_upper_twist_rate_vx = t49 + limb1_P_v * (t50 + minus_limb1_lower_rotation_yx * limb1_lower_twist_wz)
         t55 = limb1_lower_twist_rate_vy - limb1_P_a * minus_limb1_lower_rotation_yx
         limb1_upper_twist_rate_vy = t55 + limb1_P_v * (limb1_lower_sin * limb1_lower_twist_wz - limb1_U_v_0 * limb1_lower_rotation_zx)
-        t61 = minus_limb1_lower_twist_rate_vz - limb1_P_a * limb1_lower_rotation_zx
+        t61 = limb1_P_a * limb1_lower_rotation_zx - minus_limb1_lower_twist_rate_vz
         t65 = limb1_P_v * (limb1_U_v_0 * minus_limb1_lower_rotation_yx + limb1_lower_sin * limb1_lower_twist_wy)
-        minus_limb1_upper_twist_rate_vz = t61 + t65
-        limb1_upper_twist_rate_vz = -minus_limb1_upper_twist_rate_vz
+        limb1_upper_twist_rate_vz = t61 - t65
         # limb2: geometry; accelerations
         limb2_U_0_sin = np.cos(limb2_U_q_0)
         t66 = limb2_U_a_1 * limb2_U_0_sin
@@ -793,10 +782,8 @@ def body_twist_rates(*arguments):
         limb4_lower_twist_wx = limb4_U_v_1 * limb4_U_0_sin
         t148 = limb4_P_v * (t145 + minus_limb4_lower_rotation_zx * limb4_lower_twist_wx)
         limb4_upper_twist_rate_vy = t148 - limb4_P_a * minus_limb4_lower_sin
-        t151 = minus_limb4_lower_twist_rate_vz + limb4_P_a * minus_limb4_lower_rotation_zx
-        t155 = limb4_P_v * (minus_limb4_lower_sin * limb4_lower_twist_wx - limb4_U_v_0 * minus_limb4_lower_rotation_xx)
-        minus_limb4_upper_twist_rate_vz = t151 + t155
-        limb4_upper_twist_rate_vz = -minus_limb4_upper_twist_rate_vz
+        t153 = (limb4_U_v_0 * minus_limb4_lower_rotation_xx - minus_limb4_lower_sin * limb4_lower_twist_wx) * limb4_P_v
+        limb4_upper_twist_rate_vz = t153 - (minus_limb4_lower_twist_rate_vz + limb4_P_a * minus_limb4_lower_rotation_zx)
         return _finish(batch, ((platform_twist_rate_wx, platform_twist_rate_wy,
             platform_twist_rate_wz, 0.0, 0.0, 0.0, limb1_U_a_0, limb1_lower_twist_rate_wy,
             limb1_lower_twist_rate_wz, 0.0, limb1_lower_twist_rate_vy, limb1_lower_twist_rate_vz,
@@ -815,15 +802,14 @@ def body_twist_rates(*arguments):
             limb4_upper_twist_rate_vx, limb4_upper_twist_rate_vy, limb4_upper_twist_rate_vz),), (),
             (platform_twist_rate_wx, platform_twist_rate_wy, platform_twist_rate_wz,
             limb1_lower_twist_rate_wy, limb1_lower_twist_rate_wz, limb1_upper_twist_rate_vx,
-            limb1_upper_twist_rate_vy, minus_limb1_upper_twist_rate_vz, limb2_lower_twist_rate_wx,
+            limb1_upper_twist_rate_vy, limb1_upper_twist_rate_vz, limb2_lower_twist_rate_wx,
             minus_limb2_lower_twist_rate_wz, limb2_upper_twist_rate_vx, limb2_upper_twist_rate_vy,
             limb2_upper_twist_rate_vz, limb3_lower_twist_rate_wy, limb3_lower_twist_rate_wz,
             limb3_upper_twist_rate_vx, minus_limb3_upper_twist_rate_vy, limb3_upper_twist_rate_vz,
             limb4_lower_twist_rate_wx, minus_limb4_lower_twist_rate_wz,
-            minus_limb4_upper_twist_rate_vx, limb4_upper_twist_rate_vy,
-            minus_limb4_upper_twist_rate_vz, limb1_P_q, limb2_P_q, limb3_P_q, limb4_P_q,
-            limb5_S_v_wx, limb5_S_v_wy, limb5_S_v_wz, limb1_U_a_0, limb2_U_a_0, limb3_U_a_0,
-            limb4_U_a_0), ((t7, 0.999999, 1.000001, 5),))
+            minus_limb4_upper_twist_rate_vx, limb4_upper_twist_rate_vy, limb4_upper_twist_rate_vz,
+            limb1_P_q, limb2_P_q, limb3_P_q, limb4_P_q, limb5_S_v_wx, limb5_S_v_wy, limb5_S_v_wz,
+            limb1_U_a_0, limb2_U_a_0, limb3_U_a_0, limb4_U_a_0), ((t7, 0.999999, 1.000001, 5),))
 
 
 def forward_kinematics(*arguments):
@@ -941,7 +927,7 @@ def point_motion(*arguments):
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
       5 no rotation: the length of a quaternion differs from 1 by more than rounding; all outputs are
         NaN
-    Operations: 295 (add 158, mul 134, compare 3)
+    Operations: 292 (add 155, mul 134, compare 3)
     """
     entries, batch = _entries("point_motion", {"q": 16, "v": 15, "a": 15}, arguments)
     (
@@ -1048,45 +1034,42 @@ def point_motion(*arguments):
         E_accelerations_y = t95 + (platform_twist_wz * E_velocities_x - platform_twist_wx * E_velocities_z)
         t101 = E_positions_y * platform_twist_rate_wx - E_positions_x * platform_twist_rate_wy
         E_accelerations_z = t101 + (platform_twist_wx * E_velocities_y - platform_twist_wy * E_velocities_x)
-        t105 = minus_limb1_lower_limb_target_y * platform_twist_rate_wy
-        t107 = t105 - minus_limb1_lower_limb_target_x * platform_twist_rate_wz
-        t111 = t107 + (platform_twist_wy * t56 - platform_twist_wz * t53)
-        C1_accelerations_x = -t111
-        t112 = minus_limb1_upper_position_x * platform_twist_rate_wz
-        t114 = t112 - minus_limb1_lower_limb_target_y * platform_twist_rate_wx
-        t118 = t114 + (platform_twist_wz * t50 - platform_twist_wx * t56)
-        C1_accelerations_y = -t118
-        t119 = minus_limb1_lower_limb_target_x * platform_twist_rate_wx
-        t121 = t119 - minus_limb1_upper_position_x * platform_twist_rate_wy
-        t125 = t121 + (platform_twist_wx * t53 - platform_twist_wy * t50)
-        C1_accelerations_z = -t125
-        t126 = limb2_lower_limb_target_x * platform_twist_rate_wy
-        t128 = t126 - limb2_upper_position_y * platform_twist_rate_wz
-        C2_accelerations_x = t128 + (platform_twist_wy * C2_velocities_z - platform_twist_wz * C2_velocities_y)
-        t132 = limb2_lower_limb_target_y * platform_twist_rate_wz
-        t134 = t132 - limb2_lower_limb_target_x * platform_twist_rate_wx
-        C2_accelerations_y = t134 + (platform_twist_wz * C2_velocities_x - platform_twist_wx * C2_velocities_z)
-        t138 = limb2_upper_position_y * platform_twist_rate_wx
-        t140 = t138 - limb2_lower_limb_target_y * platform_twist_rate_wy
-        C2_accelerations_z = t140 + (platform_twist_wx * C2_velocities_y - platform_twist_wy * C2_velocities_x)
-        t144 = limb3_lower_limb_target_y * platform_twist_rate_wy
-        t146 = t144 - limb3_lower_limb_target_x * platform_twist_rate_wz
-        C3_accelerations_x = t146 + (platform_twist_wy * C3_velocities_z - platform_twist_wz * C3_velocities_y)
-        t150 = limb3_upper_position_x * platform_twist_rate_wz
-        t152 = t150 - limb3_lower_limb_target_y * platform_twist_rate_wx
-        C3_accelerations_y = t152 + (platform_twist_wz * C3_velocities_x - platform_twist_wx * C3_velocities_z)
-        t156 = limb3_lower_limb_target_x * platform_twist_rate_wx
-        t158 = t156 - limb3_upper_position_x * platform_twist_rate_wy
-        C3_accelerations_z = t158 + (platform_twist_wx * C3_velocities_y - platform_twist_wy * C3_velocities_x)
-        t162 = limb4_lower_limb_target_x * platform_twist_rate_wy
-        t164 = t162 - limb4_upper_position_y * platform_twist_rate_wz
-        C4_accelerations_x = t164 + (platform_twist_wy * C4_velocities_z - platform_twist_wz * C4_velocities_y)
-        t168 = limb4_lower_limb_target_y * platform_twist_rate_wz
-        t170 = t168 - limb4_lower_limb_target_x * platform_twist_rate_wx
-        C4_accelerations_y = t170 + (platform_twist_wz * C4_velocities_x - platform_twist_wx * C4_velocities_z)
-        t174 = limb4_upper_position_y * platform_twist_rate_wx
-        t176 = t174 - limb4_lower_limb_target_y * platform_twist_rate_wy
-        C4_accelerations_z = t176 + (platform_twist_wx * C4_velocities_y - platform_twist_wy * C4_velocities_x)
+        t105 = minus_limb1_lower_limb_target_x * platform_twist_rate_wz
+        t107 = t105 - minus_limb1_lower_limb_target_y * platform_twist_rate_wy
+        C1_accelerations_x = t107 - (platform_twist_wy * t56 - platform_twist_wz * t53)
+        t111 = minus_limb1_lower_limb_target_y * platform_twist_rate_wx
+        t113 = t111 - minus_limb1_upper_position_x * platform_twist_rate_wz
+        C1_accelerations_y = t113 - (platform_twist_wz * t50 - platform_twist_wx * t56)
+        t117 = minus_limb1_upper_position_x * platform_twist_rate_wy
+        t119 = t117 - minus_limb1_lower_limb_target_x * platform_twist_rate_wx
+        C1_accelerations_z = t119 - (platform_twist_wx * t53 - platform_twist_wy * t50)
+        t123 = limb2_lower_limb_target_x * platform_twist_rate_wy
+        t125 = t123 - limb2_upper_position_y * platform_twist_rate_wz
+        C2_accelerations_x = t125 + (platform_twist_wy * C2_velocities_z - platform_twist_wz * C2_velocities_y)
+        t129 = limb2_lower_limb_target_y * platform_twist_rate_wz
+        t131 = t129 - limb2_lower_limb_target_x * platform_twist_rate_wx
+        C2_accelerations_y = t131 + (platform_twist_wz * C2_velocities_x - platform_twist_wx * C2_velocities_z)
+        t135 = limb2_upper_position_y * platform_twist_rate_wx
+        t137 = t135 - limb2_lower_limb_target_y * platform_twist_rate_wy
+        C2_accelerations_z = t137 + (platform_twist_wx * C2_velocities_y - platform_twist_wy * C2_velocities_x)
+        t141 = limb3_lower_limb_target_y * platform_twist_rate_wy
+        t143 = t141 - limb3_lower_limb_target_x * platform_twist_rate_wz
+        C3_accelerations_x = t143 + (platform_twist_wy * C3_velocities_z - platform_twist_wz * C3_velocities_y)
+        t147 = limb3_upper_position_x * platform_twist_rate_wz
+        t149 = t147 - limb3_lower_limb_target_y * platform_twist_rate_wx
+        C3_accelerations_y = t149 + (platform_twist_wz * C3_velocities_x - platform_twist_wx * C3_velocities_z)
+        t153 = limb3_lower_limb_target_x * platform_twist_rate_wx
+        t155 = t153 - limb3_upper_position_x * platform_twist_rate_wy
+        C3_accelerations_z = t155 + (platform_twist_wx * C3_velocities_y - platform_twist_wy * C3_velocities_x)
+        t159 = limb4_lower_limb_target_x * platform_twist_rate_wy
+        t161 = t159 - limb4_upper_position_y * platform_twist_rate_wz
+        C4_accelerations_x = t161 + (platform_twist_wy * C4_velocities_z - platform_twist_wz * C4_velocities_y)
+        t165 = limb4_lower_limb_target_y * platform_twist_rate_wz
+        t167 = t165 - limb4_lower_limb_target_x * platform_twist_rate_wx
+        C4_accelerations_y = t167 + (platform_twist_wz * C4_velocities_x - platform_twist_wx * C4_velocities_z)
+        t171 = limb4_upper_position_y * platform_twist_rate_wx
+        t173 = t171 - limb4_lower_limb_target_y * platform_twist_rate_wy
+        C4_accelerations_z = t173 + (platform_twist_wx * C4_velocities_y - platform_twist_wy * C4_velocities_x)
         return _finish(batch, ((0.0, 0.0, 0.0, E_positions_x, E_positions_y, E_positions_z, (-0.8),
             0.0, 0.0, 0.0, (-0.8), 0.0, 0.8, 0.0, 0.0, 0.0, 0.8, 0.0, limb1_upper_position_x,
             limb1_lower_limb_target_x, limb1_lower_limb_target_y, limb2_lower_limb_target_y,
@@ -1102,15 +1085,15 @@ def point_motion(*arguments):
             C2_accelerations_x, C2_accelerations_y, C2_accelerations_z, C3_accelerations_x,
             C3_accelerations_y, C3_accelerations_z, C4_accelerations_x, C4_accelerations_y,
             C4_accelerations_z)), (), (E_accelerations_x, E_accelerations_y, E_accelerations_z,
-            t111, t118, t125, C2_accelerations_x, C2_accelerations_y, C2_accelerations_z,
-            C3_accelerations_x, C3_accelerations_y, C3_accelerations_z, C4_accelerations_x,
-            C4_accelerations_y, C4_accelerations_z, limb1_U_q_0, limb1_U_q_1, limb1_P_q,
-            limb2_U_q_0, limb2_U_q_1, limb2_P_q, limb3_U_q_0, limb3_U_q_1, limb3_P_q, limb4_U_q_0,
-            limb4_U_q_1, limb4_P_q, limb1_U_v_0, limb1_U_v_1, limb1_P_v, limb2_U_v_0, limb2_U_v_1,
-            limb2_P_v, limb3_U_v_0, limb3_U_v_1, limb3_P_v, limb4_U_v_0, limb4_U_v_1, limb4_P_v,
-            limb1_U_a_0, limb1_U_a_1, limb1_P_a, limb2_U_a_0, limb2_U_a_1, limb2_P_a, limb3_U_a_0,
-            limb3_U_a_1, limb3_P_a, limb4_U_a_0, limb4_U_a_1, limb4_P_a), ((t7, 0.999999, 1.000001,
-            5),))
+            C1_accelerations_x, C1_accelerations_y, C1_accelerations_z, C2_accelerations_x,
+            C2_accelerations_y, C2_accelerations_z, C3_accelerations_x, C3_accelerations_y,
+            C3_accelerations_z, C4_accelerations_x, C4_accelerations_y, C4_accelerations_z,
+            limb1_U_q_0, limb1_U_q_1, limb1_P_q, limb2_U_q_0, limb2_U_q_1, limb2_P_q, limb3_U_q_0,
+            limb3_U_q_1, limb3_P_q, limb4_U_q_0, limb4_U_q_1, limb4_P_q, limb1_U_v_0, limb1_U_v_1,
+            limb1_P_v, limb2_U_v_0, limb2_U_v_1, limb2_P_v, limb3_U_v_0, limb3_U_v_1, limb3_P_v,
+            limb4_U_v_0, limb4_U_v_1, limb4_P_v, limb1_U_a_0, limb1_U_a_1, limb1_P_a, limb2_U_a_0,
+            limb2_U_a_1, limb2_P_a, limb3_U_a_0, limb3_U_a_1, limb3_P_a, limb4_U_a_0, limb4_U_a_1,
+            limb4_P_a), ((t7, 0.999999, 1.000001, 5),))
 
 
 def joint_screws(*arguments):
@@ -1157,7 +1140,7 @@ def joint_screws(*arguments):
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
       5 no rotation: the length of a quaternion differs from 1 by more than rounding; all outputs are
         NaN
-    Operations: 303 (add 141, mul 143, trig 16, compare 3)
+    Operations: 299 (add 137, mul 143, trig 16, compare 3)
     """
     entries, batch = _entries("joint_screws", {"q": 16}, arguments)
     (
@@ -1170,8 +1153,7 @@ def joint_screws(*arguments):
         limb1_U_0_cos = np.cos(limb1_U_q_0)
         limb1_U_0_sin = np.sin(limb1_U_q_0)
         limb1_U_1_screw_vy = 0.8 * limb1_U_0_sin
-        minus_limb1_U_1_screw_vz = 0.8 * limb1_U_0_cos
-        limb1_U_1_screw_vz = -minus_limb1_U_1_screw_vz
+        limb1_U_1_screw_vz = (-0.8) * limb1_U_0_cos
         t1 = 0.5235987755982989 + limb1_U_q_1
         limb1_lower_sin = np.sin(t1)
         limb1_lower_cos = np.cos(t1)
@@ -1255,8 +1237,7 @@ def joint_screws(*arguments):
         # limb3: geometry; screws, eq. (5)
         limb3_U_0_cos = np.cos(limb3_U_q_0)
         limb3_U_0_sin = np.sin(limb3_U_q_0)
-        minus_limb3_U_1_screw_vy = 0.8 * limb3_U_0_sin
-        limb3_U_1_screw_vy = -minus_limb3_U_1_screw_vy
+        limb3_U_1_screw_vy = (-0.8) * limb3_U_0_sin
         limb3_U_1_screw_vz = 0.8 * limb3_U_0_cos
         t65 = 0.5235987755982989 - limb3_U_q_1
         minus_limb3_lower_sin = np.sin(t65)
@@ -1303,10 +1284,8 @@ def joint_screws(*arguments):
         limb4_U_0_sin = np.cos(limb4_U_q_0)
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
         limb4_U_0_cos = -minus_limb4_U_0_cos
-        minus_limb4_U_1_screw_vx = 0.8 * minus_limb4_U_0_cos
-        limb4_U_1_screw_vx = -minus_limb4_U_1_screw_vx
-        minus_limb4_U_1_screw_vz = 0.8 * limb4_U_0_sin
-        limb4_U_1_screw_vz = -minus_limb4_U_1_screw_vz
+        limb4_U_1_screw_vx = (-0.8) * minus_limb4_U_0_cos
+        limb4_U_1_screw_vz = (-0.8) * limb4_U_0_sin
         t99 = 2.6179938779914944 - limb4_U_q_1
         limb4_lower_cos = np.cos(t99)
         minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos
@@ -1378,15 +1357,14 @@ def joint_screws(*arguments):
             limb4_S_screws_y_vz, limb4_S_screws_z_wx, limb4_S_screws_z_wy, limb4_S_screws_z_wz,
             limb4_S_screws_z_vx, limb4_S_screws_z_vy, limb4_S_screws_z_vz, 1.0, 0.0, 0.0, 0.0, 0.0,
             0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0),), (),
-            (limb1_U_1_screw_vy, minus_limb1_U_1_screw_vz, limb1_U2_screws_0_vy,
-            limb1_U2_screws_0_vz, t26, limb1_U2_screws_1_vy, limb1_U2_screws_1_vz,
-            limb2_U_1_screw_vx, limb2_U_1_screw_vz, limb2_S_screws_x_vx, t34, limb2_S_screws_x_vz,
-            limb2_S_screws_y_vx, limb2_S_screws_y_vy, t49, limb2_S_screws_z_vx, limb2_S_screws_z_vy,
-            t64, minus_limb3_U_1_screw_vy, limb3_U_1_screw_vz, limb3_S_screws_x_vx,
-            limb3_S_screws_x_vy, limb3_S_screws_x_vz, t81, t82, limb3_S_screws_y_vz,
-            limb3_S_screws_z_vx, t95, t98, minus_limb4_U_1_screw_vx, minus_limb4_U_1_screw_vz, t100,
-            t103, t104, limb4_S_screws_y_vx, limb4_S_screws_y_vy, t117, t129, limb4_S_screws_z_vy,
-            limb4_S_screws_z_vz), ((t12, 0.999999, 1.000001, 5),))
+            (limb1_U_1_screw_vy, limb1_U_1_screw_vz, limb1_U2_screws_0_vy, limb1_U2_screws_0_vz,
+            t26, limb1_U2_screws_1_vy, limb1_U2_screws_1_vz, limb2_U_1_screw_vx, limb2_U_1_screw_vz,
+            limb2_S_screws_x_vx, t34, limb2_S_screws_x_vz, limb2_S_screws_y_vx, limb2_S_screws_y_vy,
+            t49, limb2_S_screws_z_vx, limb2_S_screws_z_vy, t64, limb3_U_1_screw_vy,
+            limb3_U_1_screw_vz, limb3_S_screws_x_vx, limb3_S_screws_x_vy, limb3_S_screws_x_vz, t81,
+            t82, limb3_S_screws_y_vz, limb3_S_screws_z_vx, t95, t98, limb4_U_1_screw_vx,
+            limb4_U_1_screw_vz, t100, t103, t104, limb4_S_screws_y_vx, limb4_S_screws_y_vy, t117,
+            t129, limb4_S_screws_z_vy, limb4_S_screws_z_vz), ((t12, 0.999999, 1.000001, 5),))
 
 
 def joint_points(*arguments):
@@ -1410,7 +1388,7 @@ def joint_points(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 98 (add 49, mul 32, trig 16, compare 1)
+    Operations: 96 (add 47, mul 32, trig 16, compare 1)
     """
     entries, batch = _entries("joint_points", {"q": 16}, arguments)
     (
@@ -1422,16 +1400,16 @@ def joint_points(*arguments):
         # limb1: geometry; results
         t1 = 0.5235987755982989 + limb1_U_q_1
         limb1_lower_sin = np.sin(t1)
+        t2 = (-0.3) * limb1_lower_sin
         limb1_upper_offset_x = 0.3 + limb1_P_q
         minus_limb1_upper_position_x = 0.8 - limb1_lower_sin * limb1_upper_offset_x
-        t3 = minus_limb1_upper_position_x + 0.3 * limb1_lower_sin
-        limb1_P_points_x = -t3
+        limb1_P_points_x = t2 - minus_limb1_upper_position_x
         limb1_U_0_sin = np.sin(limb1_U_q_0)
         limb1_lower_cos = np.cos(t1)
         minus_limb1_lower_rotation_yx = limb1_U_0_sin * limb1_lower_cos
-        t4 = 0.3 * minus_limb1_lower_rotation_yx
+        t3 = 0.3 * minus_limb1_lower_rotation_yx
         minus_limb1_upper_position_y = limb1_upper_offset_x * minus_limb1_lower_rotation_yx
-        limb1_P_points_y = t4 - minus_limb1_upper_position_y
+        limb1_P_points_y = t3 - minus_limb1_upper_position_y
         limb1_lower_rotation_zx = np.cos(limb1_U_q_0) * limb1_lower_cos
         limb1_upper_position_z = limb1_upper_offset_x * limb1_lower_rotation_zx
         limb1_P_points_z = limb1_upper_position_z - 0.3 * limb1_lower_rotation_zx
@@ -1439,56 +1417,56 @@ def joint_points(*arguments):
         limb1_upper_position_y = -minus_limb1_upper_position_y
         # limb2: geometry; results
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
-        t6 = 2.6179938779914944 + limb2_U_q_1
-        limb2_lower_cos = np.cos(t6)
+        t5 = 2.6179938779914944 + limb2_U_q_1
+        limb2_lower_cos = np.cos(t5)
         minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos
-        t7 = 0.3 * minus_limb2_lower_rotation_xx
+        t6 = 0.3 * minus_limb2_lower_rotation_xx
         limb2_upper_offset_x = 0.3 + limb2_P_q
         minus_limb2_upper_position_x = limb2_upper_offset_x * minus_limb2_lower_rotation_xx
-        limb2_P_points_x = t7 - minus_limb2_upper_position_x
-        limb2_lower_sin = np.sin(t6)
+        limb2_P_points_x = t6 - minus_limb2_upper_position_x
+        limb2_lower_sin = np.sin(t5)
+        t7 = (-0.3) * limb2_lower_sin
         minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
-        t9 = minus_limb2_upper_position_y + 0.3 * limb2_lower_sin
-        limb2_P_points_y = -t9
+        limb2_P_points_y = t7 - minus_limb2_upper_position_y
         minus_limb2_lower_rotation_zx = np.cos(limb2_U_q_0) * limb2_lower_cos
-        t10 = 0.3 * minus_limb2_lower_rotation_zx
+        t8 = 0.3 * minus_limb2_lower_rotation_zx
         minus_limb2_upper_position_z = limb2_upper_offset_x * minus_limb2_lower_rotation_zx
-        limb2_P_points_z = t10 - minus_limb2_upper_position_z
+        limb2_P_points_z = t8 - minus_limb2_upper_position_z
         limb2_upper_position_x = -minus_limb2_upper_position_x
         limb2_upper_position_y = -minus_limb2_upper_position_y
         limb2_upper_position_z = -minus_limb2_upper_position_z
         # limb3: geometry; results
-        t11 = 0.5235987755982989 - limb3_U_q_1
-        minus_limb3_lower_sin = np.sin(t11)
+        t9 = 0.5235987755982989 - limb3_U_q_1
+        minus_limb3_lower_sin = np.sin(t9)
         limb3_upper_offset_x = 0.3 + limb3_P_q
         limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
         limb3_P_points_x = limb3_upper_position_x + 0.3 * minus_limb3_lower_sin
         limb3_U_0_sin = np.sin(limb3_U_q_0)
-        limb3_lower_cos = np.cos(t11)
+        limb3_lower_cos = np.cos(t9)
         minus_limb3_lower_rotation_yx = limb3_U_0_sin * limb3_lower_cos
-        t13 = 0.3 * minus_limb3_lower_rotation_yx
+        t11 = 0.3 * minus_limb3_lower_rotation_yx
         minus_limb3_upper_position_y = limb3_upper_offset_x * minus_limb3_lower_rotation_yx
-        limb3_P_points_y = t13 - minus_limb3_upper_position_y
+        limb3_P_points_y = t11 - minus_limb3_upper_position_y
         limb3_lower_rotation_zx = np.cos(limb3_U_q_0) * limb3_lower_cos
         limb3_upper_position_z = limb3_upper_offset_x * limb3_lower_rotation_zx
         limb3_P_points_z = limb3_upper_position_z - 0.3 * limb3_lower_rotation_zx
         limb3_upper_position_y = -minus_limb3_upper_position_y
         # limb4: geometry; results
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
-        t15 = 2.6179938779914944 - limb4_U_q_1
-        limb4_lower_cos = np.cos(t15)
+        t13 = 2.6179938779914944 - limb4_U_q_1
+        limb4_lower_cos = np.cos(t13)
         minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos
-        t16 = 0.3 * minus_limb4_lower_rotation_xx
+        t14 = 0.3 * minus_limb4_lower_rotation_xx
         limb4_upper_offset_x = 0.3 + limb4_P_q
         minus_limb4_upper_position_x = limb4_upper_offset_x * minus_limb4_lower_rotation_xx
-        limb4_P_points_x = t16 - minus_limb4_upper_position_x
-        minus_limb4_lower_sin = np.sin(t15)
+        limb4_P_points_x = t14 - minus_limb4_upper_position_x
+        minus_limb4_lower_sin = np.sin(t13)
         limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
         limb4_P_points_y = limb4_upper_position_y + 0.3 * minus_limb4_lower_sin
         minus_limb4_lower_rotation_zx = np.cos(limb4_U_q_0) * limb4_lower_cos
-        t18 = 0.3 * minus_limb4_lower_rotation_zx
+        t16 = 0.3 * minus_limb4_lower_rotation_zx
         minus_limb4_upper_position_z = limb4_upper_offset_x * minus_limb4_lower_rotation_zx
-        limb4_P_points_z = t18 - minus_limb4_upper_position_z
+        limb4_P_points_z = t16 - minus_limb4_upper_position_z
         limb4_upper_position_x = -minus_limb4_upper_position_x
         limb4_upper_position_z = -minus_limb4_upper_position_z
         return _finish(batch, (((-0.8), 0.0, 0.0, limb1_P_points_x, limb1_P_points_y,
@@ -1499,10 +1477,11 @@ def joint_points(*arguments):
             limb3_P_points_z, limb3_upper_position_x, limb3_upper_position_y,
             limb3_upper_position_z, 0.0, 0.8, 0.0, limb4_P_points_x, limb4_P_points_y,
             limb4_P_points_z, limb4_upper_position_x, limb4_upper_position_y,
-            limb4_upper_position_z, 0.0, 0.0, 0.0),), (), (t3, limb1_P_points_y, limb1_P_points_z,
-            limb2_P_points_x, t9, limb2_P_points_z, limb3_P_points_x, limb3_P_points_y,
-            limb3_P_points_z, limb4_P_points_x, limb4_P_points_y, limb4_P_points_z, limb5_S_q_qw,
-            limb5_S_q_qx, limb5_S_q_qy, limb5_S_q_qz))
+            limb4_upper_position_z, 0.0, 0.0, 0.0),), (), (limb1_P_points_x, limb1_P_points_y,
+            limb1_P_points_z, limb2_P_points_x, limb2_P_points_y, limb2_P_points_z,
+            limb3_P_points_x, limb3_P_points_y, limb3_P_points_z, limb4_P_points_x,
+            limb4_P_points_y, limb4_P_points_z, limb5_S_q_qw, limb5_S_q_qx, limb5_S_q_qy,
+            limb5_S_q_qz))
 
 
 def platform_jacobian(*arguments):
@@ -1615,7 +1594,7 @@ def joint_displacements(*arguments):
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
       5 no rotation: the length of a quaternion differs from 1 by more than rounding; all outputs are
         NaN
-    Operations: 596 (add 229, mul 254, div 7, sqrt 7, trig 22, compare 77)
+    Operations: 588 (add 221, mul 254, div 7, sqrt 7, trig 22, compare 77)
     Note: within half a turn, as a pose tells no whole turns: limb1_U2
     """
     entries, batch = _entries("joint_displacements", {"q": 16}, arguments)
@@ -1661,11 +1640,10 @@ def joint_displacements(*arguments):
         t31 = limb5_S_q_qx * t13
         t32 = limb5_S_q_qw * t11
         platform_turn_zx = t31 - t32
-        # limb1: geometry
+        # limb1: geometry; results
         minus_limb1_lower_rotation_zy = limb1_U_0_cos * limb1_lower_sin
-        # limb1: results
         t34 = t30 - platform_turn_zx * minus_limb1_lower_rotation_zy
-        t35 = 0.5 * t34
+        t35 = (-0.5) * t34
         platform_turn_xz = t31 + t32
         t36 = limb1_lower_cos * platform_turn_xz
         platform_turn_yz = t19 - t21
@@ -1673,272 +1651,276 @@ def joint_displacements(*arguments):
         t39 = t3 + t5  # limb5_S
         platform_turn_zz = 1.0 - t10 * t39
         t42 = t38 - platform_turn_zz * minus_limb1_lower_rotation_zy
-        t45 = -(t35 + 0.8660254037844386 * t42)
-        t49 = np.arctan2(t45, 0.8660254037844386 * t34 - 0.5 * t42)
-        limb1_U2_displacements_1 = -t49
-        t50 = 2.6179938779914944 + limb2_U_q_1  # limb2
-        limb2_lower_cos = np.cos(t50)
-        limb2_U_0_sin = np.cos(limb2_U_q_0)
-        t51 = 0.5 * platform_turn_zy  # platform
-        t52 = 0.8660254037844386 * platform_turn_zz  # platform
-        t53 = t51 + t52  # platform
-        t54 = limb2_U_0_sin * t53  # limb2
+        t48 = np.arctan2(t35 - 0.8660254037844386 * t42, 0.8660254037844386 * t34 - 0.5 * t42)
+        limb1_U2_displacements_1 = -t48
+        # limb2: geometry; results
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
-        t55 = 0.5 * platform_turn_xy  # platform
-        t56 = 0.8660254037844386 * platform_turn_xz  # platform
-        t57 = t55 + t56  # platform
-        # limb2: results; geometry
-        t59 = t54 + minus_limb2_U_0_cos * t57
-        t60 = limb2_lower_cos * t59
-        limb2_lower_sin = np.sin(t50)
-        t61 = 0.5 * platform_turn_yy  # platform
-        t62 = 0.8660254037844386 * platform_turn_yz  # platform
-        t63 = t61 + t62  # platform
-        t65 = t60 - limb2_lower_sin * t63
-        t66 = 0.8660254037844386 * t65
-        t69 = limb2_lower_sin * t59 + limb2_lower_cos * t63
-        t71 = t66 - 0.5 * t69
-        t72 = 0.8660254037844386 * t71
+        t49 = minus_limb2_U_0_cos * platform_turn_zx
+        limb2_U_0_sin = np.cos(limb2_U_q_0)
+        t51 = t49 - limb2_U_0_sin * platform_turn_xx
+        t52 = 1.0 - t51
+        t53 = 2.6179938779914944 + limb2_U_q_1
+        limb2_lower_cos = np.cos(t53)
         # platform: results
-        t73 = 0.5 * platform_turn_zz
-        t74 = 0.8660254037844386 * platform_turn_zy
-        t75 = t73 - t74
-        t76 = limb2_U_0_sin * t75  # limb2
-        t77 = 0.5 * platform_turn_xz
-        t78 = 0.8660254037844386 * platform_turn_xy
-        t79 = t77 - t78
+        t54 = 0.5 * platform_turn_zy
+        t55 = 0.8660254037844386 * platform_turn_zz
+        t56 = t54 + t55
+        t57 = limb2_U_0_sin * t56  # limb2
+        t58 = 0.5 * platform_turn_xy
+        t59 = 0.8660254037844386 * platform_turn_xz
+        t60 = t58 + t59
+        # limb2: results; geometry
+        t62 = t57 + minus_limb2_U_0_cos * t60
+        t63 = limb2_lower_cos * t62
+        limb2_lower_sin = np.sin(t53)
+        t64 = 0.5 * platform_turn_yy  # platform
+        t65 = 0.8660254037844386 * platform_turn_yz  # platform
+        t66 = t64 + t65  # platform
+        t68 = t63 - limb2_lower_sin * t66
+        t69 = 0.5 * t68
+        t72 = limb2_lower_sin * t62 + limb2_lower_cos * t66
+        t74 = t69 + 0.8660254037844386 * t72
+        t75 = 0.5 * t74
+        # platform: results
+        t76 = 0.5 * platform_turn_zz
+        t77 = 0.8660254037844386 * platform_turn_zy
+        t78 = t76 - t77
+        t79 = limb2_U_0_sin * t78  # limb2
+        t80 = 0.5 * platform_turn_xz
+        t81 = 0.8660254037844386 * platform_turn_xy
+        t82 = t80 - t81
         # limb2: results
-        t81 = t76 + minus_limb2_U_0_cos * t79
-        t82 = limb2_lower_cos * t81
-        t83 = 0.5 * platform_turn_yz  # platform
-        t84 = 0.8660254037844386 * platform_turn_yy  # platform
-        t85 = t83 - t84  # platform
-        t87 = t82 - limb2_lower_sin * t85
-        t88 = 0.8660254037844386 * t87
-        t91 = limb2_lower_sin * t81 + limb2_lower_cos * t85
-        t93 = t88 - 0.5 * t91
-        t95 = t72 + 0.5 * t93
-        t98 = 0.5 * t65 + 0.8660254037844386 * t69
-        t99 = 0.5 * t98
-        t102 = 0.5 * t87 + 0.8660254037844386 * t91
-        t104 = t99 - 0.8660254037844386 * t102
-        t107 = minus_limb2_U_0_cos * platform_turn_zx - limb2_U_0_sin * platform_turn_xx
-        t111 = -(t95 + (t104 - (1.0 - t107)))
-        t116 = t95 + (t104 + (t107 + (1.0 - 2.0 * t107)))
-        t117 = np.where(t111 < t116, 1.0, 0.0)
-        t118 = np.where(t117 != 0.0, t116, t111)
-        t123 = t95 + (t104 + (t107 + (1.0 - 2.0 * t104)))
-        t124 = np.where(t118 < t123, 1.0, 0.0)
-        t125 = np.where(t124 != 0.0, t123, t118)
-        t130 = t95 + (t104 + (t107 + (1.0 - 2.0 * t95)))
-        t131 = np.where(t125 < t130, 1.0, 0.0)
-        t134 = limb2_U_0_sin * platform_turn_zx + minus_limb2_U_0_cos * platform_turn_xx
-        t137 = limb2_lower_cos * t134 - limb2_lower_sin * platform_turn_yx
-        t138 = 0.8660254037844386 * t137
-        t141 = limb2_lower_sin * t134 + limb2_lower_cos * platform_turn_yx
-        t143 = t138 - 0.5 * t141
-        t146 = minus_limb2_U_0_cos * t53 - limb2_U_0_sin * t57
-        t147 = 0.8660254037844386 * t146
-        t150 = minus_limb2_U_0_cos * t75 - limb2_U_0_sin * t79
-        t152 = t147 + 0.5 * t150
-        t154 = -(t143 + t152)
-        t157 = 0.5 * t137 + 0.8660254037844386 * t141
-        t160 = 0.5 * t146 - 0.8660254037844386 * t150
-        t162 = -(t157 + t160)
-        t165 = 0.8660254037844386 * t98 + 0.5 * t102
-        t168 = 0.5 * t71 - 0.8660254037844386 * t93
-        t169 = t165 - t168
-        t172 = np.where(t131 != 0.0, t154, np.where(t124 != 0.0, t162, np.where(t117 != 0.0, t116, t169)))
-        t176 = 1.0 / (2.0 * np.sqrt(np.where(t131 != 0.0, t130, t125)))
-        t177 = t172 * t176
-        t178 = t160 - t157
-        t179 = t143 - t152
-        t183 = np.where(t131 != 0.0, t178, np.where(t124 != 0.0, t179, np.where(t117 != 0.0, t169, t111))) * t176
-        t185 = np.where(np.where(t183 < 0.0, 1.0, 0.0) != 0.0, (-1.0), 1.0)
-        t186 = t177 * t177
-        t188 = -(t165 + t168)
-        t192 = np.where(t131 != 0.0, t188, np.where(t124 != 0.0, t123, np.where(t117 != 0.0, t162, t179))) * t176
-        t194 = t186 + t192 * t192
-        t198 = np.where(t131 != 0.0, t130, np.where(t124 != 0.0, t188, np.where(t117 != 0.0, t154, t178))) * t176
-        t201 = np.sqrt(t194 + t198 * t198)
-        t202 = np.where(t201 < 1.0e-08, 1.0, 0.0)
-        t208 = np.where(t202 != 0.0, 2.0, 2.0 * np.arctan2(t201, t183 * t185) / np.where(t202 != 0.0, 1.0, t201))
-        t209 = t185 * t208
-        limb2_S_displacements_x = t177 * t209
-        limb2_S_displacements_y = t192 * t209
-        limb2_S_displacements_z = t198 * t209
+        t84 = t79 + minus_limb2_U_0_cos * t82
+        t85 = limb2_lower_cos * t84
+        t86 = 0.5 * platform_turn_yz  # platform
+        t87 = 0.8660254037844386 * platform_turn_yy  # platform
+        t88 = t86 - t87  # platform
+        t90 = t85 - limb2_lower_sin * t88
+        t91 = 0.5 * t90
+        t94 = limb2_lower_sin * t84 + limb2_lower_cos * t88
+        t96 = t91 + 0.8660254037844386 * t94
+        t98 = t75 - 0.8660254037844386 * t96
+        t99 = t52 - t98
+        t102 = 0.8660254037844386 * t68 - 0.5 * t72
+        t103 = 0.8660254037844386 * t102
+        t106 = 0.8660254037844386 * t90 - 0.5 * t94
+        t108 = t103 + 0.5 * t106
+        t109 = t99 - t108
+        t114 = t108 + (t98 + (t51 + (1.0 - 2.0 * t51)))
+        t115 = np.where(t109 < t114, 1.0, 0.0)
+        t116 = np.where(t115 != 0.0, t114, t109)
+        t121 = t108 + (t98 + (t51 + (1.0 - 2.0 * t98)))
+        t122 = np.where(t116 < t121, 1.0, 0.0)
+        t123 = np.where(t122 != 0.0, t121, t116)
+        t128 = t108 + (t98 + (t51 + (1.0 - 2.0 * t108)))
+        t129 = np.where(t123 < t128, 1.0, 0.0)
+        t132 = limb2_U_0_sin * platform_turn_zx + minus_limb2_U_0_cos * platform_turn_xx
+        t135 = limb2_lower_cos * t132 - limb2_lower_sin * platform_turn_yx
+        t136 = 0.8660254037844386 * t135
+        t139 = limb2_lower_sin * t132 + limb2_lower_cos * platform_turn_yx
+        t141 = t136 - 0.5 * t139
+        t144 = minus_limb2_U_0_cos * t56 - limb2_U_0_sin * t60
+        t145 = 0.8660254037844386 * t144
+        t148 = minus_limb2_U_0_cos * t78 - limb2_U_0_sin * t82
+        t150 = t145 + 0.5 * t148
+        t152 = -(t141 + t150)
+        t155 = 0.5 * t135 + 0.8660254037844386 * t139
+        t158 = 0.5 * t144 - 0.8660254037844386 * t148
+        t160 = -(t155 + t158)
+        t163 = 0.8660254037844386 * t74 + 0.5 * t96
+        t166 = 0.5 * t102 - 0.8660254037844386 * t106
+        t167 = t163 - t166
+        t170 = np.where(t129 != 0.0, t152, np.where(t122 != 0.0, t160, np.where(t115 != 0.0, t114, t167)))
+        t174 = 1.0 / (2.0 * np.sqrt(np.where(t129 != 0.0, t128, t123)))
+        t175 = t170 * t174
+        t176 = t158 - t155
+        t177 = t141 - t150
+        t181 = np.where(t129 != 0.0, t176, np.where(t122 != 0.0, t177, np.where(t115 != 0.0, t167, t109))) * t174
+        t183 = np.where(np.where(t181 < 0.0, 1.0, 0.0) != 0.0, (-1.0), 1.0)
+        t184 = t175 * t175
+        t186 = -(t163 + t166)
+        t190 = np.where(t129 != 0.0, t186, np.where(t122 != 0.0, t121, np.where(t115 != 0.0, t160, t177))) * t174
+        t192 = t184 + t190 * t190
+        t196 = np.where(t129 != 0.0, t128, np.where(t122 != 0.0, t186, np.where(t115 != 0.0, t152, t176))) * t174
+        t199 = np.sqrt(t192 + t196 * t196)
+        t200 = np.where(t199 < 1.0e-08, 1.0, 0.0)
+        t206 = np.where(t200 != 0.0, 2.0, 2.0 * np.arctan2(t199, t181 * t183) / np.where(t200 != 0.0, 1.0, t199))
+        t207 = t183 * t206
+        limb2_S_displacements_x = t175 * t207
+        limb2_S_displacements_y = t190 * t207
+        limb2_S_displacements_z = t196 * t207
         # limb3: geometry
-        t210 = 0.5235987755982989 - limb3_U_q_1
-        limb3_lower_cos = np.cos(t210)
+        t208 = 0.5235987755982989 - limb3_U_q_1
+        limb3_lower_cos = np.cos(t208)
         limb3_U_0_sin = np.sin(limb3_U_q_0)
-        t212 = 0.5 * platform_turn_yx - t62  # platform
+        t210 = 0.5 * platform_turn_yx - t65  # platform
         # limb3: results; geometry
-        t213 = limb3_U_0_sin * t212
+        t211 = limb3_U_0_sin * t210
         limb3_U_0_cos = np.cos(limb3_U_q_0)
-        t215 = 0.5 * platform_turn_zx - t52  # platform
-        t217 = t213 - limb3_U_0_cos * t215
-        t218 = limb3_lower_cos * t217
-        minus_limb3_lower_sin = np.sin(t210)
-        t220 = 0.5 * platform_turn_xx - t56  # platform
-        t222 = t218 + minus_limb3_lower_sin * t220
-        t223 = 0.8660254037844386 * t222
-        t226 = minus_limb3_lower_sin * t217 - limb3_lower_cos * t220
-        t228 = t223 + 0.5 * t226
-        t229 = 0.8660254037844386 * t228
-        t231 = 0.8660254037844386 * platform_turn_yx + t83  # platform
-        t232 = limb3_U_0_sin * t231
-        t234 = 0.8660254037844386 * platform_turn_zx + t73  # platform
-        t236 = t232 - limb3_U_0_cos * t234
-        t237 = limb3_lower_cos * t236
-        t239 = 0.8660254037844386 * platform_turn_xx + t77  # platform
-        t241 = t237 + minus_limb3_lower_sin * t239
-        t242 = 0.8660254037844386 * t241
-        t245 = minus_limb3_lower_sin * t236 - limb3_lower_cos * t239
-        t247 = t242 + 0.5 * t245
-        t249 = t229 - 0.5 * t247
-        t252 = limb3_U_0_cos * platform_turn_yy + limb3_U_0_sin * platform_turn_zy
-        t255 = 0.5 * t222 - 0.8660254037844386 * t226
-        t256 = 0.5 * t255
-        t259 = 0.5 * t241 - 0.8660254037844386 * t245
-        t261 = t256 + 0.8660254037844386 * t259
-        t264 = t249 + (t252 + (1.0 + t261))
-        t270 = -(t249 + (t252 + (t261 - (1.0 + 2.0 * t261))))
-        t271 = np.where(t264 < t270, 1.0, 0.0)
-        t272 = np.where(t271 != 0.0, t270, t264)
-        t278 = -(t249 + (t252 + (t261 - (1.0 + 2.0 * t252))))
-        t279 = np.where(t272 < t278, 1.0, 0.0)
-        t280 = np.where(t279 != 0.0, t278, t272)
-        t286 = -(t249 + (t252 + (t261 - (1.0 + 2.0 * t249))))
-        t287 = np.where(t280 < t286, 1.0, 0.0)
-        t290 = 0.8660254037844386 * t255 - 0.5 * t259
-        t293 = 0.5 * t228 + 0.8660254037844386 * t247
-        t295 = -(t290 + t293)
-        t298 = limb3_U_0_sin * platform_turn_yy - limb3_U_0_cos * platform_turn_zy
-        t301 = limb3_lower_cos * t298 + minus_limb3_lower_sin * platform_turn_xy
-        t302 = 0.5 * t301
-        t305 = minus_limb3_lower_sin * t298 - limb3_lower_cos * platform_turn_xy
-        t307 = t302 - 0.8660254037844386 * t305
-        t310 = limb3_U_0_cos * t212 + limb3_U_0_sin * t215
-        t311 = 0.5 * t310
-        t314 = limb3_U_0_cos * t231 + limb3_U_0_sin * t234
-        t316 = t311 + 0.8660254037844386 * t314
-        t317 = t307 + t316
-        t320 = 0.8660254037844386 * t310 - 0.5 * t314
-        t323 = 0.8660254037844386 * t301 + 0.5 * t305
-        t324 = t320 - t323
-        t327 = np.where(t287 != 0.0, t295, np.where(t279 != 0.0, t317, np.where(t271 != 0.0, t270, t324)))
-        t331 = 1.0 / (2.0 * np.sqrt(np.where(t287 != 0.0, t286, t280)))
-        t332 = t327 * t331
-        t333 = t316 - t307
-        t334 = t293 - t290
-        t338 = np.where(t287 != 0.0, t333, np.where(t279 != 0.0, t334, np.where(t271 != 0.0, t324, t264))) * t331
-        t340 = np.where(np.where(t338 < 0.0, 1.0, 0.0) != 0.0, (-1.0), 1.0)
-        t341 = t332 * t332
-        t343 = -(t323 + t320)
-        t347 = np.where(t287 != 0.0, t343, np.where(t279 != 0.0, t278, np.where(t271 != 0.0, t317, t334))) * t331
-        t349 = t341 + t347 * t347
-        t353 = np.where(t287 != 0.0, t286, np.where(t279 != 0.0, t343, np.where(t271 != 0.0, t295, t333))) * t331
-        t356 = np.sqrt(t349 + t353 * t353)
-        t357 = np.where(t356 < 1.0e-08, 1.0, 0.0)
-        t363 = np.where(t357 != 0.0, 2.0, 2.0 * np.arctan2(t356, t338 * t340) / np.where(t357 != 0.0, 1.0, t356))
-        t364 = t340 * t363
-        limb3_S_displacements_x = t332 * t364
-        limb3_S_displacements_y = t347 * t364
-        limb3_S_displacements_z = t353 * t364
+        t213 = 0.5 * platform_turn_zx - t55  # platform
+        t215 = t211 - limb3_U_0_cos * t213
+        t216 = limb3_lower_cos * t215
+        minus_limb3_lower_sin = np.sin(t208)
+        t218 = 0.5 * platform_turn_xx - t59  # platform
+        t220 = t216 + minus_limb3_lower_sin * t218
+        t221 = 0.8660254037844386 * t220
+        t224 = minus_limb3_lower_sin * t215 - limb3_lower_cos * t218
+        t226 = t221 + 0.5 * t224
+        t227 = 0.8660254037844386 * t226
+        t229 = 0.8660254037844386 * platform_turn_yx + t86  # platform
+        t230 = limb3_U_0_sin * t229
+        t232 = 0.8660254037844386 * platform_turn_zx + t76  # platform
+        t234 = t230 - limb3_U_0_cos * t232
+        t235 = limb3_lower_cos * t234
+        t237 = 0.8660254037844386 * platform_turn_xx + t80  # platform
+        t239 = t235 + minus_limb3_lower_sin * t237
+        t240 = 0.8660254037844386 * t239
+        t243 = minus_limb3_lower_sin * t234 - limb3_lower_cos * t237
+        t245 = t240 + 0.5 * t243
+        t247 = t227 - 0.5 * t245
+        t250 = limb3_U_0_cos * platform_turn_yy + limb3_U_0_sin * platform_turn_zy
+        t253 = 0.5 * t220 - 0.8660254037844386 * t224
+        t254 = 0.5 * t253
+        t257 = 0.5 * t239 - 0.8660254037844386 * t243
+        t259 = t254 + 0.8660254037844386 * t257
+        t262 = t247 + (t250 + (1.0 + t259))
+        t267 = 1.0 + 2.0 * t259 - t259 - t250 - t247
+        t268 = np.where(t262 < t267, 1.0, 0.0)
+        t269 = np.where(t268 != 0.0, t267, t262)
+        t274 = 1.0 + 2.0 * t250 - t259 - t250 - t247
+        t275 = np.where(t269 < t274, 1.0, 0.0)
+        t276 = np.where(t275 != 0.0, t274, t269)
+        t281 = 1.0 + 2.0 * t247 - t259 - t250 - t247
+        t282 = np.where(t276 < t281, 1.0, 0.0)
+        t285 = 0.8660254037844386 * t253 - 0.5 * t257
+        t288 = 0.5 * t226 + 0.8660254037844386 * t245
+        t290 = -(t285 + t288)
+        t293 = limb3_U_0_sin * platform_turn_yy - limb3_U_0_cos * platform_turn_zy
+        t296 = limb3_lower_cos * t293 + minus_limb3_lower_sin * platform_turn_xy
+        t297 = 0.5 * t296
+        t300 = minus_limb3_lower_sin * t293 - limb3_lower_cos * platform_turn_xy
+        t302 = t297 - 0.8660254037844386 * t300
+        t305 = limb3_U_0_cos * t210 + limb3_U_0_sin * t213
+        t306 = 0.5 * t305
+        t309 = limb3_U_0_cos * t229 + limb3_U_0_sin * t232
+        t311 = t306 + 0.8660254037844386 * t309
+        t312 = t302 + t311
+        t315 = 0.8660254037844386 * t305 - 0.5 * t309
+        t318 = 0.8660254037844386 * t296 + 0.5 * t300
+        t319 = t315 - t318
+        t322 = np.where(t282 != 0.0, t290, np.where(t275 != 0.0, t312, np.where(t268 != 0.0, t267, t319)))
+        t326 = 1.0 / (2.0 * np.sqrt(np.where(t282 != 0.0, t281, t276)))
+        t327 = t322 * t326
+        t328 = t311 - t302
+        t329 = t288 - t285
+        t333 = np.where(t282 != 0.0, t328, np.where(t275 != 0.0, t329, np.where(t268 != 0.0, t319, t262))) * t326
+        t335 = np.where(np.where(t333 < 0.0, 1.0, 0.0) != 0.0, (-1.0), 1.0)
+        t336 = t327 * t327
+        t338 = -(t318 + t315)
+        t342 = np.where(t282 != 0.0, t338, np.where(t275 != 0.0, t274, np.where(t268 != 0.0, t312, t329))) * t326
+        t344 = t336 + t342 * t342
+        t348 = np.where(t282 != 0.0, t281, np.where(t275 != 0.0, t338, np.where(t268 != 0.0, t290, t328))) * t326
+        t351 = np.sqrt(t344 + t348 * t348)
+        t352 = np.where(t351 < 1.0e-08, 1.0, 0.0)
+        t358 = np.where(t352 != 0.0, 2.0, 2.0 * np.arctan2(t351, t333 * t335) / np.where(t352 != 0.0, 1.0, t351))
+        t359 = t335 * t358
+        limb3_S_displacements_x = t327 * t359
+        limb3_S_displacements_y = t342 * t359
+        limb3_S_displacements_z = t348 * t359
         # limb4: geometry
-        t365 = 2.6179938779914944 - limb4_U_q_1
-        limb4_lower_cos = np.cos(t365)
+        t360 = 2.6179938779914944 - limb4_U_q_1
+        limb4_lower_cos = np.cos(t360)
         limb4_U_0_sin = np.cos(limb4_U_q_0)
-        t366 = t51 - t52  # platform
+        t361 = t54 - t55  # platform
         # limb4: results; geometry
-        t367 = limb4_U_0_sin * t366
+        t362 = limb4_U_0_sin * t361
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
-        t368 = t55 - t56  # platform
-        t370 = t367 + minus_limb4_U_0_cos * t368
-        t371 = limb4_lower_cos * t370
-        minus_limb4_lower_sin = np.sin(t365)
-        t372 = t61 - t62  # platform
-        t374 = t371 + minus_limb4_lower_sin * t372
-        t375 = 0.8660254037844386 * t374
-        t378 = minus_limb4_lower_sin * t370 - limb4_lower_cos * t372
-        t380 = t375 - 0.5 * t378
-        t381 = 0.8660254037844386 * t380
-        t382 = t73 + t74  # platform
-        t383 = limb4_U_0_sin * t382
-        t384 = t77 + t78  # platform
-        t386 = t383 + minus_limb4_U_0_cos * t384
-        t387 = limb4_lower_cos * t386
-        t388 = t83 + t84  # platform
-        t390 = t387 + minus_limb4_lower_sin * t388
-        t391 = 0.8660254037844386 * t390
-        t394 = minus_limb4_lower_sin * t386 - limb4_lower_cos * t388
-        t396 = t391 - 0.5 * t394
-        t398 = t381 - 0.5 * t396
-        t401 = 0.5 * t374 + 0.8660254037844386 * t378
-        t402 = 0.5 * t401
-        t405 = 0.5 * t390 + 0.8660254037844386 * t394
-        t407 = t402 + 0.8660254037844386 * t405
-        t410 = minus_limb4_U_0_cos * platform_turn_zx - limb4_U_0_sin * platform_turn_xx
-        t413 = t398 + (t407 + (1.0 - t410))
-        t419 = -(t398 + (t407 - (t410 + (1.0 - 2.0 * t410))))
-        t420 = np.where(t413 < t419, 1.0, 0.0)
-        t421 = np.where(t420 != 0.0, t419, t413)
-        t427 = -(t398 + (t407 - (t410 + (1.0 + 2.0 * t407))))
-        t428 = np.where(t421 < t427, 1.0, 0.0)
-        t429 = np.where(t428 != 0.0, t427, t421)
-        t435 = -(t398 + (t407 - (t410 + (1.0 + 2.0 * t398))))
-        t436 = np.where(t429 < t435, 1.0, 0.0)
-        t439 = minus_limb4_U_0_cos * t366 - limb4_U_0_sin * t368
-        t440 = 0.8660254037844386 * t439
-        t443 = minus_limb4_U_0_cos * t382 - limb4_U_0_sin * t384
-        t445 = t440 - 0.5 * t443
-        t448 = limb4_U_0_sin * platform_turn_zx + minus_limb4_U_0_cos * platform_turn_xx
-        t451 = limb4_lower_cos * t448 + minus_limb4_lower_sin * platform_turn_yx
-        t452 = 0.8660254037844386 * t451
-        t455 = minus_limb4_lower_sin * t448 - limb4_lower_cos * platform_turn_yx
-        t457 = t452 - 0.5 * t455
-        t458 = t445 - t457
-        t461 = 0.5 * t451 + 0.8660254037844386 * t455
-        t464 = 0.5 * t439 + 0.8660254037844386 * t443
-        t465 = t461 - t464
-        t468 = 0.8660254037844386 * t401 - 0.5 * t405
-        t471 = 0.5 * t380 + 0.8660254037844386 * t396
-        t472 = t468 - t471
-        t475 = np.where(t436 != 0.0, t458, np.where(t428 != 0.0, t465, np.where(t420 != 0.0, t419, t472)))
-        t479 = 1.0 / (2.0 * np.sqrt(np.where(t436 != 0.0, t435, t429)))
-        t480 = t475 * t479
-        t481 = t461 + t464
-        t482 = t457 + t445
-        t486 = np.where(t436 != 0.0, t481, np.where(t428 != 0.0, t482, np.where(t420 != 0.0, t472, t413))) * t479
-        t488 = np.where(np.where(t486 < 0.0, 1.0, 0.0) != 0.0, (-1.0), 1.0)
-        t489 = t480 * t480
-        t491 = -(t468 + t471)
-        t495 = np.where(t436 != 0.0, t491, np.where(t428 != 0.0, t427, np.where(t420 != 0.0, t465, t482))) * t479
-        t497 = t489 + t495 * t495
-        t501 = np.where(t436 != 0.0, t435, np.where(t428 != 0.0, t491, np.where(t420 != 0.0, t458, t481))) * t479
-        t504 = np.sqrt(t497 + t501 * t501)
-        t505 = np.where(t504 < 1.0e-08, 1.0, 0.0)
-        t511 = np.where(t505 != 0.0, 2.0, 2.0 * np.arctan2(t504, t486 * t488) / np.where(t505 != 0.0, 1.0, t504))
-        t512 = t488 * t511
-        limb4_S_displacements_x = t480 * t512
-        limb4_S_displacements_y = t495 * t512
-        limb4_S_displacements_z = t501 * t512
+        t363 = t58 - t59  # platform
+        t365 = t362 + minus_limb4_U_0_cos * t363
+        t366 = limb4_lower_cos * t365
+        minus_limb4_lower_sin = np.sin(t360)
+        t367 = t64 - t65  # platform
+        t369 = t366 + minus_limb4_lower_sin * t367
+        t370 = 0.8660254037844386 * t369
+        t373 = minus_limb4_lower_sin * t365 - limb4_lower_cos * t367
+        t375 = t370 - 0.5 * t373
+        t376 = 0.8660254037844386 * t375
+        t377 = t76 + t77  # platform
+        t378 = limb4_U_0_sin * t377
+        t379 = t80 + t81  # platform
+        t381 = t378 + minus_limb4_U_0_cos * t379
+        t382 = limb4_lower_cos * t381
+        t383 = t86 + t87  # platform
+        t385 = t382 + minus_limb4_lower_sin * t383
+        t386 = 0.8660254037844386 * t385
+        t389 = minus_limb4_lower_sin * t381 - limb4_lower_cos * t383
+        t391 = t386 - 0.5 * t389
+        t393 = t376 - 0.5 * t391
+        t396 = 0.5 * t369 + 0.8660254037844386 * t373
+        t397 = 0.5 * t396
+        t400 = 0.5 * t385 + 0.8660254037844386 * t389
+        t402 = t397 + 0.8660254037844386 * t400
+        t405 = minus_limb4_U_0_cos * platform_turn_zx - limb4_U_0_sin * platform_turn_xx
+        t408 = t393 + (t402 + (1.0 - t405))
+        t413 = t405 + (1.0 - 2.0 * t405) - t402 - t393
+        t414 = np.where(t408 < t413, 1.0, 0.0)
+        t415 = np.where(t414 != 0.0, t413, t408)
+        t420 = t405 + (1.0 + 2.0 * t402) - t402 - t393
+        t421 = np.where(t415 < t420, 1.0, 0.0)
+        t422 = np.where(t421 != 0.0, t420, t415)
+        t427 = t405 + (1.0 + 2.0 * t393) - t402 - t393
+        t428 = np.where(t422 < t427, 1.0, 0.0)
+        t431 = minus_limb4_U_0_cos * t361 - limb4_U_0_sin * t363
+        t432 = 0.8660254037844386 * t431
+        t435 = minus_limb4_U_0_cos * t377 - limb4_U_0_sin * t379
+        t437 = t432 - 0.5 * t435
+        t440 = limb4_U_0_sin * platform_turn_zx + minus_limb4_U_0_cos * platform_turn_xx
+        t443 = limb4_lower_cos * t440 + minus_limb4_lower_sin * platform_turn_yx
+        t444 = 0.8660254037844386 * t443
+        t447 = minus_limb4_lower_sin * t440 - limb4_lower_cos * platform_turn_yx
+        t449 = t444 - 0.5 * t447
+        t450 = t437 - t449
+        t453 = 0.5 * t443 + 0.8660254037844386 * t447
+        t456 = 0.5 * t431 + 0.8660254037844386 * t435
+        t457 = t453 - t456
+        t460 = 0.8660254037844386 * t396 - 0.5 * t400
+        t463 = 0.5 * t375 + 0.8660254037844386 * t391
+        t464 = t460 - t463
+        t467 = np.where(t428 != 0.0, t450, np.where(t421 != 0.0, t457, np.where(t414 != 0.0, t413, t464)))
+        t471 = 1.0 / (2.0 * np.sqrt(np.where(t428 != 0.0, t427, t422)))
+        t472 = t467 * t471
+        t473 = t453 + t456
+        t474 = t449 + t437
+        t478 = np.where(t428 != 0.0, t473, np.where(t421 != 0.0, t474, np.where(t414 != 0.0, t464, t408))) * t471
+        t480 = np.where(np.where(t478 < 0.0, 1.0, 0.0) != 0.0, (-1.0), 1.0)
+        t481 = t472 * t472
+        t483 = -(t460 + t463)
+        t487 = np.where(t428 != 0.0, t483, np.where(t421 != 0.0, t420, np.where(t414 != 0.0, t457, t474))) * t471
+        t489 = t481 + t487 * t487
+        t493 = np.where(t428 != 0.0, t427, np.where(t421 != 0.0, t483, np.where(t414 != 0.0, t450, t473))) * t471
+        t496 = np.sqrt(t489 + t493 * t493)
+        t497 = np.where(t496 < 1.0e-08, 1.0, 0.0)
+        t503 = np.where(t497 != 0.0, 2.0, 2.0 * np.arctan2(t496, t478 * t480) / np.where(t497 != 0.0, 1.0, t496))
+        t504 = t480 * t503
+        limb4_S_displacements_x = t472 * t504
+        limb4_S_displacements_y = t487 * t504
+        limb4_S_displacements_z = t493 * t504
         # limb5_S: results
-        t514 = np.where(np.where(limb5_S_q_qw < 0.0, 1.0, 0.0) != 0.0, (-1.0), 1.0)
-        t516 = np.sqrt(t6 + t39)
-        t517 = np.where(t516 < 1.0e-08, 1.0, 0.0)
-        t523 = np.where(t517 != 0.0, 2.0, 2.0 * np.arctan2(t516, limb5_S_q_qw * t514) / np.where(t517 != 0.0, 1.0, t516))
-        t524 = t514 * t523
-        limb5_S_displacements_x = limb5_S_q_qx * t524
-        limb5_S_displacements_y = limb5_S_q_qy * t524
-        limb5_S_displacements_z = limb5_S_q_qz * t524
+        t506 = np.where(np.where(limb5_S_q_qw < 0.0, 1.0, 0.0) != 0.0, (-1.0), 1.0)
+        t508 = np.sqrt(t6 + t39)
+        t509 = np.where(t508 < 1.0e-08, 1.0, 0.0)
+        t515 = np.where(t509 != 0.0, 2.0, 2.0 * np.arctan2(t508, limb5_S_q_qw * t506) / np.where(t509 != 0.0, 1.0, t508))
+        t516 = t506 * t515
+        limb5_S_displacements_x = limb5_S_q_qx * t516
+        limb5_S_displacements_y = limb5_S_q_qy * t516
+        limb5_S_displacements_z = limb5_S_q_qz * t516
         return _finish(batch, ((limb1_U_q_0, limb1_U_q_1, limb1_P_q, limb1_U2_displacements_0,
             limb1_U2_displacements_1, limb2_U_q_0, limb2_U_q_1, limb2_P_q, limb2_S_displacements_x,
             limb2_S_displacements_y, limb2_S_displacements_z, limb3_U_q_0, limb3_U_q_1, limb3_P_q,
             limb3_S_displacements_x, limb3_S_displacements_y, limb3_S_displacements_z, limb4_U_q_0,
             limb4_U_q_1, limb4_P_q, limb4_S_displacements_x, limb4_S_displacements_y,
             limb4_S_displacements_z, limb5_S_displacements_x, limb5_S_displacements_y,
-            limb5_S_displacements_z),), (), (limb1_U2_displacements_0, t49, limb2_S_displacements_x,
+            limb5_S_displacements_z),), (), (limb1_U2_displacements_0, t48, limb2_S_displacements_x,
             limb2_S_displacements_y, limb2_S_displacements_z, limb3_S_displacements_x,
             limb3_S_displacements_y, limb3_S_displacements_z, limb4_S_displacements_x,
             limb4_S_displacements_y, limb4_S_displacements_z, limb5_S_displacements_x,
@@ -1974,7 +1956,7 @@ def joint_rates(*arguments):
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
       5 no rotation: the length of a quaternion differs from 1 by more than rounding; all outputs are
         NaN
-    Operations: 245 (add 103, mul 122, div 1, trig 16, compare 3)
+    Operations: 239 (add 97, mul 122, div 1, trig 16, compare 3)
     """
     entries, batch = _entries("joint_rates", {"q": 16, "v": 15}, arguments)
     (
@@ -2015,118 +1997,115 @@ def joint_rates(*arguments):
         limb1_U_0_cos = np.cos(limb1_U_q_0)
         minus_limb1_lower_rotation_zy = limb1_U_0_cos * limb1_lower_sin
         t24 = t19 - platform_turn_zy * minus_limb1_lower_rotation_zy
-        t27 = 1.0 / (1.0 - t24 * t24)
         # platform: velocities, eq. (6); geometry
-        t31 = limb5_S_v_wx * (1.0 - t7 * t10) + limb5_S_v_wy * platform_turn_xy
-        t32 = limb5_S_q_qx * t13
-        t33 = limb5_S_q_qw * t11
-        platform_twist_wx = t31 + limb5_S_v_wz * (t32 + t33)
+        t28 = limb5_S_v_wx * (1.0 - t7 * t10) + limb5_S_v_wy * platform_turn_xy
+        t29 = limb5_S_q_qx * t13
+        t30 = limb5_S_q_qw * t11
+        platform_twist_wx = t28 + limb5_S_v_wz * (t29 + t30)
         # limb1: results
-        t35 = limb1_U_v_0 - platform_twist_wx
-        t36 = limb1_lower_cos * t35
-        t39 = limb5_S_v_wy * platform_turn_yy + limb5_S_v_wx * (t12 + t14)  # platform
-        platform_twist_wy = t39 + limb5_S_v_wz * (t20 - t22)
-        t41 = platform_twist_wy - limb1_U_v_1 * limb1_U_0_cos
-        t43 = t36 - limb1_lower_rotation_yy * t41
-        t46 = limb5_S_v_wz * (1.0 - t10 * (t3 + t5))  # platform
-        platform_twist_wz = t46 + (limb5_S_v_wx * (t32 - t33) + limb5_S_v_wy * platform_turn_zy)
-        t50 = platform_twist_wz - limb1_U_v_1 * limb1_U_0_sin
-        t52 = t43 + minus_limb1_lower_rotation_zy * t50
-        t57 = platform_turn_xy * t35 - platform_turn_yy * t41 - platform_turn_zy * t50
-        t60 = t27 * (t52 - t24 * t57)
-        limb1_U2_rates_0 = -t60
-        t63 = t27 * (t57 - t24 * t52)
-        limb1_U2_rates_1 = -t63
+        t32 = limb1_U_v_0 - platform_twist_wx
+        t33 = platform_turn_xy * t32
+        t36 = limb5_S_v_wy * platform_turn_yy + limb5_S_v_wx * (t12 + t14)  # platform
+        platform_twist_wy = t36 + limb5_S_v_wz * (t20 - t22)
+        t38 = platform_twist_wy - limb1_U_v_1 * limb1_U_0_cos
+        t40 = t33 - platform_turn_yy * t38
+        t43 = limb5_S_v_wz * (1.0 - t10 * (t3 + t5))  # platform
+        platform_twist_wz = t43 + (limb5_S_v_wx * (t29 - t30) + limb5_S_v_wy * platform_turn_zy)
+        t47 = platform_twist_wz - limb1_U_v_1 * limb1_U_0_sin
+        t49 = t40 - platform_turn_zy * t47
+        t50 = t24 * t49
+        t55 = limb1_lower_cos * t32 - limb1_lower_rotation_yy * t38 + minus_limb1_lower_rotation_zy * t47
+        t56 = t50 - t55
+        t59 = 1.0 / (1.0 - t24 * t24)
+        limb1_U2_rates_0 = t56 * t59
+        limb1_U2_rates_1 = (t24 * t55 - t49) * t59
         # limb2: geometry; results
         limb2_U_0_sin = np.cos(limb2_U_q_0)
-        t64 = platform_twist_wx - limb2_U_v_1 * limb2_U_0_sin
-        t65 = limb2_U_0_sin * t64
+        t62 = platform_twist_wx - limb2_U_v_1 * limb2_U_0_sin
+        t63 = limb2_U_0_sin * t62
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
-        t66 = platform_twist_wz + limb2_U_v_1 * minus_limb2_U_0_cos
-        limb2_S_rates_x = t65 - minus_limb2_U_0_cos * t66
-        t68 = 2.6179938779914944 + limb2_U_q_1
-        limb2_lower_cos = np.cos(t68)
+        t64 = platform_twist_wz + limb2_U_v_1 * minus_limb2_U_0_cos
+        limb2_S_rates_x = t63 - minus_limb2_U_0_cos * t64
+        t66 = 2.6179938779914944 + limb2_U_q_1
+        limb2_lower_cos = np.cos(t66)
         minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos
         # limb2: results; geometry
-        t69 = 0.5 * minus_limb2_lower_rotation_xx
-        limb2_lower_sin = np.sin(t68)
+        t67 = (-0.5) * minus_limb2_lower_rotation_xx
+        limb2_lower_sin = np.sin(t66)
         limb2_lower_rotation_xy = minus_limb2_U_0_cos * limb2_lower_sin
-        t72 = (t69 + 0.8660254037844386 * limb2_lower_rotation_xy) * t64
-        t75 = 0.5 * limb2_lower_sin - 0.8660254037844386 * limb2_lower_cos
-        t76 = limb2_U_v_0 - platform_twist_wy
-        t78 = t72 + t75 * t76
+        t70 = (t67 - 0.8660254037844386 * limb2_lower_rotation_xy) * t62
+        t73 = 0.5 * limb2_lower_sin - 0.8660254037844386 * limb2_lower_cos
+        t74 = limb2_U_v_0 - platform_twist_wy
+        t76 = t70 - t73 * t74
         minus_limb2_lower_rotation_zx = limb2_U_0_sin * limb2_lower_cos
-        t79 = 0.5 * minus_limb2_lower_rotation_zx
+        t77 = 0.5 * minus_limb2_lower_rotation_zx
         limb2_lower_rotation_zy = limb2_U_0_sin * limb2_lower_sin
-        t83 = t78 + (t79 + 0.8660254037844386 * limb2_lower_rotation_zy) * t66
-        limb2_S_rates_y = -t83
-        t87 = (0.8660254037844386 * minus_limb2_lower_rotation_xx - 0.5 * limb2_lower_rotation_xy) * t64
-        t92 = t87 + (0.8660254037844386 * limb2_lower_sin + 0.5 * limb2_lower_cos) * t76
-        t97 = t92 + (0.8660254037844386 * minus_limb2_lower_rotation_zx - 0.5 * limb2_lower_rotation_zy) * t66
-        limb2_S_rates_z = -t97
-        # limb3: geometry; results
-        t98 = 0.5235987755982989 - limb3_U_q_1
-        minus_limb3_lower_sin = np.sin(t98)
-        t99 = 0.5 * minus_limb3_lower_sin
-        limb3_lower_cos = np.cos(t98)
-        t101 = t99 + 0.8660254037844386 * limb3_lower_cos
-        t102 = limb3_U_v_0 - platform_twist_wx
-        t103 = t101 * t102
+        limb2_S_rates_y = t76 - (t77 + 0.8660254037844386 * limb2_lower_rotation_zy) * t64
+        t84 = (0.5 * limb2_lower_rotation_xy - 0.8660254037844386 * minus_limb2_lower_rotation_xx) * t62
+        t89 = t84 - (0.8660254037844386 * limb2_lower_sin + 0.5 * limb2_lower_cos) * t74
+        limb2_S_rates_z = t89 - (0.8660254037844386 * minus_limb2_lower_rotation_zx - 0.5 * limb2_lower_rotation_zy) * t64
+        # limb3: geometry
         limb3_U_0_sin = np.sin(limb3_U_q_0)
+        t94 = 0.5235987755982989 - limb3_U_q_1
+        limb3_lower_cos = np.cos(t94)
         minus_limb3_lower_rotation_yx = limb3_U_0_sin * limb3_lower_cos
         # limb3: results; geometry
-        t104 = 0.5 * minus_limb3_lower_rotation_yx
+        t95 = 0.5 * minus_limb3_lower_rotation_yx
+        minus_limb3_lower_sin = np.sin(t94)
         minus_limb3_lower_rotation_yy = limb3_U_0_sin * minus_limb3_lower_sin
-        t106 = t104 - 0.8660254037844386 * minus_limb3_lower_rotation_yy
+        t97 = t95 - 0.8660254037844386 * minus_limb3_lower_rotation_yy
         limb3_U_0_cos = np.cos(limb3_U_q_0)
-        t107 = platform_twist_wy - limb3_U_v_1 * limb3_U_0_cos
-        t109 = t103 - t106 * t107
+        t98 = platform_twist_wy - limb3_U_v_1 * limb3_U_0_cos
+        t99 = t97 * t98
+        t102 = 0.5 * minus_limb3_lower_sin + 0.8660254037844386 * limb3_lower_cos
+        t103 = limb3_U_v_0 - platform_twist_wx
+        t105 = t99 - t102 * t103
         limb3_lower_rotation_zx = limb3_U_0_cos * limb3_lower_cos
-        t110 = 0.5 * limb3_lower_rotation_zx
+        t106 = 0.5 * limb3_lower_rotation_zx
         limb3_lower_rotation_zy = limb3_U_0_cos * minus_limb3_lower_sin
-        t112 = t110 - 0.8660254037844386 * limb3_lower_rotation_zy
-        t113 = platform_twist_wz - limb3_U_v_1 * limb3_U_0_sin
-        t115 = t109 + t112 * t113
-        limb3_S_rates_x = -t115
-        limb3_S_rates_y = limb3_U_0_cos * t107 + limb3_U_0_sin * t113
-        t121 = (0.8660254037844386 * minus_limb3_lower_sin - 0.5 * limb3_lower_cos) * t102
-        t125 = (0.8660254037844386 * minus_limb3_lower_rotation_yx + 0.5 * minus_limb3_lower_rotation_yy) * t107
-        t126 = t121 - t125
-        limb3_S_rates_z = t126 + (0.8660254037844386 * limb3_lower_rotation_zx + 0.5 * limb3_lower_rotation_zy) * t113
+        t108 = t106 - 0.8660254037844386 * limb3_lower_rotation_zy
+        t109 = platform_twist_wz - limb3_U_v_1 * limb3_U_0_sin
+        limb3_S_rates_x = t105 - t108 * t109
+        limb3_S_rates_y = limb3_U_0_cos * t98 + limb3_U_0_sin * t109
+        t116 = (0.8660254037844386 * minus_limb3_lower_sin - 0.5 * limb3_lower_cos) * t103
+        t120 = (0.8660254037844386 * minus_limb3_lower_rotation_yx + 0.5 * minus_limb3_lower_rotation_yy) * t98
+        t121 = t116 - t120
+        limb3_S_rates_z = t121 + (0.8660254037844386 * limb3_lower_rotation_zx + 0.5 * limb3_lower_rotation_zy) * t109
         # limb4: geometry; results
         limb4_U_0_sin = np.cos(limb4_U_q_0)
-        t131 = platform_twist_wx - limb4_U_v_1 * limb4_U_0_sin
-        t132 = limb4_U_0_sin * t131
+        t126 = platform_twist_wx - limb4_U_v_1 * limb4_U_0_sin
+        t127 = limb4_U_0_sin * t126
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
-        t133 = platform_twist_wz + limb4_U_v_1 * minus_limb4_U_0_cos
-        limb4_S_rates_x = t132 - minus_limb4_U_0_cos * t133
-        t135 = 2.6179938779914944 - limb4_U_q_1
-        limb4_lower_cos = np.cos(t135)
+        t128 = platform_twist_wz + limb4_U_v_1 * minus_limb4_U_0_cos
+        limb4_S_rates_x = t127 - minus_limb4_U_0_cos * t128
+        t130 = 2.6179938779914944 - limb4_U_q_1
+        limb4_lower_cos = np.cos(t130)
         minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos
         # limb4: results; geometry
-        t136 = 0.5 * minus_limb4_lower_rotation_xx
-        minus_limb4_lower_sin = np.sin(t135)
+        t131 = 0.5 * minus_limb4_lower_rotation_xx
+        minus_limb4_lower_sin = np.sin(t130)
         minus_limb4_lower_rotation_xy = minus_limb4_U_0_cos * minus_limb4_lower_sin
-        t139 = (t136 + 0.8660254037844386 * minus_limb4_lower_rotation_xy) * t131
-        t142 = 0.5 * minus_limb4_lower_sin - 0.8660254037844386 * limb4_lower_cos
-        t143 = limb4_U_v_0 - platform_twist_wy
-        t145 = t139 - t142 * t143
+        t134 = (t131 + 0.8660254037844386 * minus_limb4_lower_rotation_xy) * t126
+        t137 = 0.5 * minus_limb4_lower_sin - 0.8660254037844386 * limb4_lower_cos
+        t138 = limb4_U_v_0 - platform_twist_wy
+        t140 = t134 - t137 * t138
         minus_limb4_lower_rotation_zx = limb4_U_0_sin * limb4_lower_cos
-        t146 = 0.5 * minus_limb4_lower_rotation_zx
+        t141 = 0.5 * minus_limb4_lower_rotation_zx
         minus_limb4_lower_rotation_zy = limb4_U_0_sin * minus_limb4_lower_sin
-        limb4_S_rates_y = t145 + (t146 + 0.8660254037844386 * minus_limb4_lower_rotation_zy) * t133
-        t153 = (0.8660254037844386 * minus_limb4_lower_rotation_xx - 0.5 * minus_limb4_lower_rotation_xy) * t131
-        t158 = t153 - (0.8660254037844386 * minus_limb4_lower_sin + 0.5 * limb4_lower_cos) * t143
-        t162 = (0.8660254037844386 * minus_limb4_lower_rotation_zx - 0.5 * minus_limb4_lower_rotation_zy) * t133
-        t163 = t158 + t162
-        limb4_S_rates_z = -t163
+        limb4_S_rates_y = t140 + (t141 + 0.8660254037844386 * minus_limb4_lower_rotation_zy) * t128
+        t148 = (0.8660254037844386 * minus_limb4_lower_sin + 0.5 * limb4_lower_cos) * t138
+        t152 = (0.8660254037844386 * minus_limb4_lower_rotation_xx - 0.5 * minus_limb4_lower_rotation_xy) * t126
+        t153 = t148 - t152
+        t157 = (0.8660254037844386 * minus_limb4_lower_rotation_zx - 0.5 * minus_limb4_lower_rotation_zy) * t128
+        limb4_S_rates_z = t153 - t157
         return _finish(batch, ((limb1_U_v_0, limb1_U_v_1, limb1_P_v, limb1_U2_rates_0,
             limb1_U2_rates_1, limb2_U_v_0, limb2_U_v_1, limb2_P_v, limb2_S_rates_x, limb2_S_rates_y,
             limb2_S_rates_z, limb3_U_v_0, limb3_U_v_1, limb3_P_v, limb3_S_rates_x, limb3_S_rates_y,
             limb3_S_rates_z, limb4_U_v_0, limb4_U_v_1, limb4_P_v, limb4_S_rates_x, limb4_S_rates_y,
-            limb4_S_rates_z, platform_twist_wx, platform_twist_wy, platform_twist_wz),), (), (t60,
-            t63, limb2_S_rates_x, t83, t97, t115, limb3_S_rates_y, limb3_S_rates_z, limb4_S_rates_x,
-            limb4_S_rates_y, t163, limb1_P_q, limb2_P_q, limb3_P_q, limb4_P_q, limb1_P_v, limb2_P_v,
+            limb4_S_rates_z, platform_twist_wx, platform_twist_wy, platform_twist_wz),), (),
+            (limb1_U2_rates_0, limb1_U2_rates_1, limb2_S_rates_x, limb2_S_rates_y, limb2_S_rates_z,
+            limb3_S_rates_x, limb3_S_rates_y, limb3_S_rates_z, limb4_S_rates_x, limb4_S_rates_y,
+            limb4_S_rates_z, limb1_P_q, limb2_P_q, limb3_P_q, limb4_P_q, limb1_P_v, limb2_P_v,
             limb3_P_v, limb4_P_v), ((t8, 0.999999, 1.000001, 5),))
 
 
@@ -2598,7 +2577,7 @@ def closure_bias(*arguments):
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
       5 no rotation: the length of a quaternion differs from 1 by more than rounding; all outputs are
         NaN
-    Operations: 318 (add 121, mul 178, trig 16, compare 3)
+    Operations: 312 (add 115, mul 178, trig 16, compare 3)
     """
     entries, batch = _entries("closure_bias", {"q": 16, "v": 15}, arguments)
     (
@@ -2609,182 +2588,180 @@ def closure_bias(*arguments):
         limb5_S_v_wx, limb5_S_v_wy, limb5_S_v_wz,
     ) = entries
     with np.errstate(all="ignore"):
-        # limb1: geometry; velocities, eq. (6); accelerations
+        # limb1: geometry
+        limb1_U_0_cos = np.cos(limb1_U_q_0)
+        # limb5_S: geometry; velocities, eq. (6)
+        t1 = limb5_S_q_qw * limb5_S_q_qw
+        t2 = limb5_S_q_qx * limb5_S_q_qx
+        t3 = t1 + t2
+        t4 = limb5_S_q_qy * limb5_S_q_qy
+        t5 = limb5_S_q_qz * limb5_S_q_qz
+        t6 = t4 + t5
+        t7 = t3 + t6
+        t9 = 4.0 - 2.0 * t7
+        platform_turn_yy = 1.0 - t9 * (t2 + t5)
+        t12 = limb5_S_v_wy * platform_turn_yy
+        t13 = limb5_S_q_qy * t9
+        t14 = limb5_S_q_qx * t13
+        t15 = limb5_S_q_qz * t9
+        t16 = limb5_S_q_qw * t15
+        t18 = t12 + limb5_S_v_wx * (t14 + t16)
+        t19 = limb5_S_q_qy * t15
+        t21 = limb5_S_q_qw * (limb5_S_q_qx * t9)
+        platform_twist_wy = t18 + limb5_S_v_wz * (t19 - t21)
+        t23 = limb1_U_0_cos * platform_twist_wy  # limb1
+        limb1_U_0_sin = np.sin(limb1_U_q_0)
+        t26 = limb5_S_v_wz * (1.0 - t9 * (t2 + t4))
+        t27 = limb5_S_q_qx * t15
+        t28 = limb5_S_q_qw * t13
+        t29 = limb5_S_v_wx * (t27 - t28)
+        platform_turn_zy = t19 + t21
+        platform_twist_wz = t26 + (t29 + limb5_S_v_wy * platform_turn_zy)
+        # limb1: loop closure; geometry; reciprocal wrenches, eq. (10)
+        t33 = t23 + limb1_U_0_sin * platform_twist_wz
         limb1_upper_offset_x = 0.3 + limb1_P_q
-        t1 = 0.5235987755982989 + limb1_U_q_1
-        limb1_lower_cos = np.cos(t1)
+        t34 = 0.5235987755982989 + limb1_U_q_1
+        limb1_lower_sin = np.sin(t34)
+        limb1_U2_arm_x = limb1_upper_offset_x - 0.8 * limb1_lower_sin
+        t36 = limb1_U2_arm_x * t33
+        t37 = t33 * t36
+        t40 = limb1_U_0_sin * platform_twist_wy - limb1_U_0_cos * platform_twist_wz
+        t41 = limb1_lower_sin * t40
+        limb1_lower_cos = np.cos(t34)
+        t43 = limb5_S_v_wx * (1.0 - t6 * t9)  # platform
+        platform_turn_xy = t14 - t16
+        platform_twist_wx = t43 + limb5_S_v_wy * platform_turn_xy + limb5_S_v_wz * (t27 + t28)
+        t48 = t41 + limb1_lower_cos * platform_twist_wx
+        minus_limb1_U2_arm_y = 0.8 * limb1_lower_cos
+        t51 = limb1_lower_cos * t40 - limb1_lower_sin * platform_twist_wx
+        t54 = minus_limb1_U2_arm_y * t51 - limb1_U2_arm_x * t48
+        t56 = t37 - t48 * t54
         limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos
         minus_limb1_upper_acc_still_x = limb1_upper_offset_x * (limb1_lower_omega_y * limb1_lower_omega_y + limb1_U_v_1 * limb1_U_v_1)
-        limb1_lower_sin = np.sin(t1)
-        limb1_U_0_sin = np.sin(limb1_U_q_0)
-        # limb5_S: geometry; velocities, eq. (6)
-        t4 = limb5_S_q_qw * limb5_S_q_qw
-        t5 = limb5_S_q_qx * limb5_S_q_qx
-        t6 = t4 + t5
-        t7 = limb5_S_q_qy * limb5_S_q_qy
-        t8 = limb5_S_q_qz * limb5_S_q_qz
-        t9 = t7 + t8
-        t10 = t6 + t9
-        t12 = 4.0 - 2.0 * t10
-        platform_turn_yy = 1.0 - t12 * (t5 + t8)
-        t15 = limb5_S_v_wy * platform_turn_yy
-        t16 = limb5_S_q_qy * t12
-        t17 = limb5_S_q_qx * t16
-        t18 = limb5_S_q_qz * t12
-        t19 = limb5_S_q_qw * t18
-        t21 = t15 + limb5_S_v_wx * (t17 + t19)
-        t22 = limb5_S_q_qy * t18
-        t24 = limb5_S_q_qw * (limb5_S_q_qx * t12)
-        platform_twist_wy = t21 + limb5_S_v_wz * (t22 - t24)
-        t26 = limb1_U_0_sin * platform_twist_wy  # limb1
-        limb1_U_0_cos = np.cos(limb1_U_q_0)
-        t29 = limb5_S_v_wz * (1.0 - t12 * (t5 + t7))
-        t30 = limb5_S_q_qx * t18
-        t31 = limb5_S_q_qw * t16
-        t32 = limb5_S_v_wx * (t30 - t31)
-        platform_turn_zy = t22 + t24
-        platform_twist_wz = t29 + (t32 + limb5_S_v_wy * platform_turn_zy)
-        # limb1: loop closure; reciprocal wrenches, eq. (10); accelerations
-        t36 = t26 - limb1_U_0_cos * platform_twist_wz
-        t37 = limb1_lower_sin * t36
-        t39 = limb5_S_v_wx * (1.0 - t9 * t12)  # platform
-        platform_turn_xy = t17 - t19
-        platform_twist_wx = t39 + limb5_S_v_wy * platform_turn_xy + limb5_S_v_wz * (t30 + t31)
-        t44 = t37 + limb1_lower_cos * platform_twist_wx
-        minus_limb1_U2_arm_y = 0.8 * limb1_lower_cos
-        t47 = limb1_lower_cos * t36 - limb1_lower_sin * platform_twist_wx
-        t48 = minus_limb1_U2_arm_y * t47
-        limb1_U2_arm_x = limb1_upper_offset_x - 0.8 * limb1_lower_sin
-        t51 = t48 - limb1_U2_arm_x * t44
-        t52 = t44 * t51
-        t55 = limb1_U_0_cos * platform_twist_wy + limb1_U_0_sin * platform_twist_wz
-        t56 = limb1_U2_arm_x * t55
-        minus_limb1_U2_opening_bias_fx = minus_limb1_upper_acc_still_x + (t52 - t55 * t56)
-        limb1_U2_opening_bias_fx = -minus_limb1_U2_opening_bias_fx
+        limb1_U2_opening_bias_fx = t56 - minus_limb1_upper_acc_still_x
         limb1_lower_omega_x = limb1_U_v_0 * limb1_lower_sin
         t59 = limb1_upper_offset_x * (limb1_lower_omega_x * limb1_lower_omega_y)
         limb1_upper_acc_still_y = t59 + limb1_P_v * (2.0 * limb1_U_v_1)
-        t62 = minus_limb1_U2_arm_y * t55
-        limb1_U2_opening_bias_fy = limb1_upper_acc_still_y - (t55 * t62 + t47 * t51)
-        t68 = t47 * t56 + t44 * t62
+        t62 = minus_limb1_U2_arm_y * t33
+        limb1_U2_opening_bias_fy = limb1_upper_acc_still_y - (t33 * t62 + t51 * t54)
+        t68 = t51 * t36 + t48 * t62
         t72 = 2.0 * (limb1_upper_offset_x * (limb1_U_v_1 * limb1_lower_omega_x) - limb1_P_v * limb1_lower_omega_y)
         limb1_U2_opening_bias_fz = t68 + t72
-        t73 = limb1_lower_omega_x + t47
-        t76 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy
-        limb1_U2_opening_mn = limb1_lower_sin * t76 + limb1_lower_cos * platform_turn_xy
-        t79 = limb1_U2_opening_mn * t73
-        limb1_U2_constraint_mn_couple_z = limb1_lower_cos * t76 - limb1_lower_sin * platform_turn_xy
-        t82 = limb1_lower_omega_y - t44
-        t85 = t73 * (t79 + limb1_U2_constraint_mn_couple_z * t82)
-        t86 = limb1_U_v_1 - t55
+        t73 = limb1_U_v_1 - t33
         limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy
-        t93 = t85 - t86 * (limb1_U2_constraint_mn_couple_x * t82 - limb1_U2_opening_mn * t86)
-        t97 = limb1_U2_constraint_mn_couple_z * (limb1_lower_omega_x * t82 - limb1_lower_omega_y * t73)
-        minus_limb1_U2_opening_bias_mn = t93 + (t97 - limb1_U2_constraint_mn_couple_x * (limb1_U_v_1 * t82 + limb1_lower_omega_y * t55))
-        limb1_U2_opening_bias_mn = -minus_limb1_U2_opening_bias_mn
-        # limb2: geometry; velocities, eq. (6); accelerations
+        t76 = limb1_lower_omega_y - t48
+        t77 = limb1_U2_constraint_mn_couple_x * t76
+        t80 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy
+        limb1_U2_opening_mn = limb1_lower_sin * t80 + limb1_lower_cos * platform_turn_xy
+        t85 = t73 * (t77 - limb1_U2_opening_mn * t73)
+        t86 = limb1_lower_omega_x + t51
+        t87 = limb1_U2_opening_mn * t86
+        limb1_U2_constraint_mn_couple_z = limb1_lower_cos * t80 - limb1_lower_sin * platform_turn_xy
+        t93 = t85 - t86 * (t87 + limb1_U2_constraint_mn_couple_z * t76)
+        t97 = limb1_U2_constraint_mn_couple_z * (limb1_lower_omega_x * t76 - limb1_lower_omega_y * t86)
+        limb1_U2_opening_bias_mn = t93 - (t97 - limb1_U2_constraint_mn_couple_x * (limb1_U_v_1 * t76 + limb1_lower_omega_y * t33))
+        # limb2: geometry; loop closure; reciprocal wrenches, eq. (10)
+        minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
+        t103 = minus_limb2_U_0_cos * platform_twist_wz
+        limb2_U_0_sin = np.cos(limb2_U_q_0)
+        t105 = t103 - limb2_U_0_sin * platform_twist_wx
         limb2_upper_offset_x = 0.3 + limb2_P_q
-        t103 = 2.6179938779914944 + limb2_U_q_1
-        limb2_lower_cos = np.cos(t103)
+        t106 = 2.6179938779914944 + limb2_U_q_1
+        limb2_lower_sin = np.sin(t106)
+        limb2_S_arm_x = limb2_upper_offset_x - 0.8 * limb2_lower_sin
+        # limb2: loop closure; velocities, eq. (6); accelerations
+        t108 = limb2_S_arm_x * t105
+        t109 = t105 * t108
+        t112 = limb2_U_0_sin * platform_twist_wz + minus_limb2_U_0_cos * platform_twist_wx
+        t113 = limb2_lower_sin * t112
+        limb2_lower_cos = np.cos(t106)
+        t115 = t113 + limb2_lower_cos * platform_twist_wy
+        minus_limb2_S_arm_y = 0.8 * limb2_lower_cos
+        t118 = limb2_lower_cos * t112 - limb2_lower_sin * platform_twist_wy
+        t121 = minus_limb2_S_arm_y * t118 - limb2_S_arm_x * t115
+        t123 = t109 - t115 * t121
         limb2_lower_omega_y = limb2_U_v_0 * limb2_lower_cos
         minus_limb2_upper_acc_still_x = limb2_upper_offset_x * (limb2_lower_omega_y * limb2_lower_omega_y + limb2_U_v_1 * limb2_U_v_1)
-        limb2_lower_sin = np.sin(t103)
-        limb2_U_0_sin = np.cos(limb2_U_q_0)
-        # limb2: loop closure; reciprocal wrenches, eq. (10); accelerations
-        t106 = limb2_U_0_sin * platform_twist_wz
-        minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
-        t108 = t106 + minus_limb2_U_0_cos * platform_twist_wx
-        t111 = limb2_lower_sin * t108 + limb2_lower_cos * platform_twist_wy
-        minus_limb2_S_arm_y = 0.8 * limb2_lower_cos
-        t114 = limb2_lower_cos * t108 - limb2_lower_sin * platform_twist_wy
-        t115 = minus_limb2_S_arm_y * t114
-        limb2_S_arm_x = limb2_upper_offset_x - 0.8 * limb2_lower_sin
-        t118 = t115 - limb2_S_arm_x * t111
-        t119 = t111 * t118
-        t122 = minus_limb2_U_0_cos * platform_twist_wz - limb2_U_0_sin * platform_twist_wx
-        t123 = limb2_S_arm_x * t122
-        minus_limb2_S_opening_bias_fx = minus_limb2_upper_acc_still_x + (t119 - t122 * t123)
-        limb2_S_opening_bias_fx = -minus_limb2_S_opening_bias_fx
+        limb2_S_opening_bias_fx = t123 - minus_limb2_upper_acc_still_x
         limb2_lower_omega_x = limb2_U_v_0 * limb2_lower_sin
         t126 = limb2_upper_offset_x * (limb2_lower_omega_x * limb2_lower_omega_y)
         limb2_upper_acc_still_y = t126 + limb2_P_v * (2.0 * limb2_U_v_1)
-        t129 = minus_limb2_S_arm_y * t122
-        limb2_S_opening_bias_fy = limb2_upper_acc_still_y - (t122 * t129 + t114 * t118)
+        t129 = minus_limb2_S_arm_y * t105
+        limb2_S_opening_bias_fy = limb2_upper_acc_still_y - (t105 * t129 + t118 * t121)
         t136 = 2.0 * (limb2_upper_offset_x * (limb2_U_v_1 * limb2_lower_omega_x) - limb2_P_v * limb2_lower_omega_y)
-        limb2_S_opening_bias_fz = t136 - (t114 * t123 + t111 * t129)
-        # limb3: geometry; velocities, eq. (6); accelerations
+        limb2_S_opening_bias_fz = t136 - (t118 * t108 + t115 * t129)
+        # limb3: geometry; loop closure; reciprocal wrenches, eq. (10)
+        limb3_U_0_cos = np.cos(limb3_U_q_0)
+        t140 = limb3_U_0_cos * platform_twist_wy
+        limb3_U_0_sin = np.sin(limb3_U_q_0)
+        t142 = t140 + limb3_U_0_sin * platform_twist_wz
         limb3_upper_offset_x = 0.3 + limb3_P_q
-        t140 = 0.5235987755982989 - limb3_U_q_1
-        limb3_lower_cos = np.cos(t140)
+        t143 = 0.5235987755982989 - limb3_U_q_1
+        minus_limb3_lower_sin = np.sin(t143)
+        limb3_S_arm_x = limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin
+        # limb3: loop closure; velocities, eq. (6); accelerations
+        t145 = limb3_S_arm_x * t142
+        t146 = t142 * t145
+        t149 = limb3_U_0_sin * platform_twist_wy - limb3_U_0_cos * platform_twist_wz
+        t150 = minus_limb3_lower_sin * t149
+        limb3_lower_cos = np.cos(t143)
+        t152 = t150 - limb3_lower_cos * platform_twist_wx
+        limb3_S_arm_y = 0.8 * limb3_lower_cos
+        t155 = limb3_lower_cos * t149 + minus_limb3_lower_sin * platform_twist_wx
+        t158 = limb3_S_arm_y * t155 - limb3_S_arm_x * t152
+        t160 = t146 - t152 * t158
         limb3_lower_omega_y = limb3_U_v_0 * limb3_lower_cos
         minus_limb3_upper_acc_still_x = limb3_upper_offset_x * (limb3_lower_omega_y * limb3_lower_omega_y + limb3_U_v_1 * limb3_U_v_1)
-        minus_limb3_lower_sin = np.sin(t140)
-        limb3_U_0_sin = np.sin(limb3_U_q_0)
-        # limb3: loop closure; geometry; reciprocal wrenches, eq. (10)
-        t143 = limb3_U_0_sin * platform_twist_wy
-        limb3_U_0_cos = np.cos(limb3_U_q_0)
-        t145 = t143 - limb3_U_0_cos * platform_twist_wz
-        t148 = minus_limb3_lower_sin * t145 - limb3_lower_cos * platform_twist_wx
-        limb3_S_arm_y = 0.8 * limb3_lower_cos
-        t151 = limb3_lower_cos * t145 + minus_limb3_lower_sin * platform_twist_wx
-        t152 = limb3_S_arm_y * t151
-        limb3_S_arm_x = limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin
-        t155 = t152 - limb3_S_arm_x * t148
-        t156 = t148 * t155
-        t159 = limb3_U_0_cos * platform_twist_wy + limb3_U_0_sin * platform_twist_wz
-        t160 = limb3_S_arm_x * t159
-        minus_limb3_S_opening_bias_fx = minus_limb3_upper_acc_still_x + (t156 - t159 * t160)
-        limb3_S_opening_bias_fx = -minus_limb3_S_opening_bias_fx
-        t163 = limb3_S_arm_y * t159
-        t166 = t159 * t163 + t151 * t155
+        limb3_S_opening_bias_fx = t160 - minus_limb3_upper_acc_still_x
+        t163 = limb3_S_arm_y * t142
+        t166 = t142 * t163 + t155 * t158
         minus_limb3_lower_omega_x = limb3_U_v_0 * minus_limb3_lower_sin
         t167 = limb3_upper_offset_x * (minus_limb3_lower_omega_x * limb3_lower_omega_y)
         limb3_S_opening_bias_fy = t166 - (t167 - limb3_P_v * (2.0 * limb3_U_v_1))
-        t172 = t151 * t160 + t148 * t163
+        t172 = t155 * t145 + t152 * t163
         t173 = limb3_upper_offset_x * (limb3_U_v_1 * minus_limb3_lower_omega_x)
         limb3_S_opening_bias_fz = t172 - 2.0 * (t173 + limb3_P_v * limb3_lower_omega_y)
-        # limb4: geometry; velocities, eq. (6); accelerations
+        # limb4: geometry; loop closure; reciprocal wrenches, eq. (10)
+        minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
+        t177 = minus_limb4_U_0_cos * platform_twist_wz
+        limb4_U_0_sin = np.cos(limb4_U_q_0)
+        t179 = t177 - limb4_U_0_sin * platform_twist_wx
         limb4_upper_offset_x = 0.3 + limb4_P_q
-        t177 = 2.6179938779914944 - limb4_U_q_1
-        limb4_lower_cos = np.cos(t177)
+        t180 = 2.6179938779914944 - limb4_U_q_1
+        minus_limb4_lower_sin = np.sin(t180)
+        limb4_S_arm_x = limb4_upper_offset_x - 0.8 * minus_limb4_lower_sin
+        # limb4: loop closure; velocities, eq. (6); accelerations
+        t182 = limb4_S_arm_x * t179
+        t183 = t179 * t182
+        t186 = limb4_U_0_sin * platform_twist_wz + minus_limb4_U_0_cos * platform_twist_wx
+        t187 = minus_limb4_lower_sin * t186
+        limb4_lower_cos = np.cos(t180)
+        t189 = t187 - limb4_lower_cos * platform_twist_wy
+        limb4_S_arm_y = 0.8 * limb4_lower_cos
+        t192 = limb4_lower_cos * t186 + minus_limb4_lower_sin * platform_twist_wy
+        t195 = limb4_S_arm_y * t192 - limb4_S_arm_x * t189
+        t197 = t183 - t189 * t195
         limb4_lower_omega_y = limb4_U_v_0 * limb4_lower_cos
         minus_limb4_upper_acc_still_x = limb4_upper_offset_x * (limb4_lower_omega_y * limb4_lower_omega_y + limb4_U_v_1 * limb4_U_v_1)
-        minus_limb4_lower_sin = np.sin(t177)
-        limb4_U_0_sin = np.cos(limb4_U_q_0)
-        # limb4: loop closure; geometry; reciprocal wrenches, eq. (10)
-        t180 = limb4_U_0_sin * platform_twist_wz
-        minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
-        t182 = t180 + minus_limb4_U_0_cos * platform_twist_wx
-        t185 = minus_limb4_lower_sin * t182 - limb4_lower_cos * platform_twist_wy
-        limb4_S_arm_y = 0.8 * limb4_lower_cos
-        t188 = limb4_lower_cos * t182 + minus_limb4_lower_sin * platform_twist_wy
-        t189 = limb4_S_arm_y * t188
-        limb4_S_arm_x = limb4_upper_offset_x - 0.8 * minus_limb4_lower_sin
-        t192 = t189 - limb4_S_arm_x * t185
-        t193 = t185 * t192
-        t196 = minus_limb4_U_0_cos * platform_twist_wz - limb4_U_0_sin * platform_twist_wx
-        t197 = limb4_S_arm_x * t196
-        minus_limb4_S_opening_bias_fx = minus_limb4_upper_acc_still_x + (t193 - t196 * t197)
-        limb4_S_opening_bias_fx = -minus_limb4_S_opening_bias_fx
-        t200 = limb4_S_arm_y * t196
-        t203 = t196 * t200 + t188 * t192
+        limb4_S_opening_bias_fx = t197 - minus_limb4_upper_acc_still_x
+        t200 = limb4_S_arm_y * t179
+        t203 = t179 * t200 + t192 * t195
         minus_limb4_lower_omega_x = limb4_U_v_0 * minus_limb4_lower_sin
         t204 = limb4_upper_offset_x * (minus_limb4_lower_omega_x * limb4_lower_omega_y)
         limb4_S_opening_bias_fy = t203 - (t204 - limb4_P_v * (2.0 * limb4_U_v_1))
-        t209 = t188 * t197 + t185 * t200
-        t210 = limb4_upper_offset_x * (limb4_U_v_1 * minus_limb4_lower_omega_x)
-        minus_limb4_S_opening_bias_fz = t209 + 2.0 * (t210 + limb4_P_v * limb4_lower_omega_y)
-        limb4_S_opening_bias_fz = -minus_limb4_S_opening_bias_fz
+        t207 = limb4_upper_offset_x * (limb4_U_v_1 * minus_limb4_lower_omega_x)
+        t210 = (-2.0) * (t207 + limb4_P_v * limb4_lower_omega_y)
+        limb4_S_opening_bias_fz = t210 - (t192 * t182 + t189 * t200)
         return _finish(batch, ((limb1_U2_opening_bias_fx, limb1_U2_opening_bias_fy,
             limb1_U2_opening_bias_fz, limb1_U2_opening_bias_mn, limb2_S_opening_bias_fx,
             limb2_S_opening_bias_fy, limb2_S_opening_bias_fz, limb3_S_opening_bias_fx,
             limb3_S_opening_bias_fy, limb3_S_opening_bias_fz, limb4_S_opening_bias_fx,
-            limb4_S_opening_bias_fy, limb4_S_opening_bias_fz),), (),
-            (minus_limb1_U2_opening_bias_fx, limb1_U2_opening_bias_fy, limb1_U2_opening_bias_fz,
-            minus_limb1_U2_opening_bias_mn, minus_limb2_S_opening_bias_fx, limb2_S_opening_bias_fy,
-            limb2_S_opening_bias_fz, minus_limb3_S_opening_bias_fx, limb3_S_opening_bias_fy,
-            limb3_S_opening_bias_fz, minus_limb4_S_opening_bias_fx, limb4_S_opening_bias_fy,
-            minus_limb4_S_opening_bias_fz), ((t10, 0.999999, 1.000001, 5),))
+            limb4_S_opening_bias_fy, limb4_S_opening_bias_fz),), (), (limb1_U2_opening_bias_fx,
+            limb1_U2_opening_bias_fy, limb1_U2_opening_bias_fz, limb1_U2_opening_bias_mn,
+            limb2_S_opening_bias_fx, limb2_S_opening_bias_fy, limb2_S_opening_bias_fz,
+            limb3_S_opening_bias_fx, limb3_S_opening_bias_fy, limb3_S_opening_bias_fz,
+            limb4_S_opening_bias_fx, limb4_S_opening_bias_fy, limb4_S_opening_bias_fz), ((t7,
+            0.999999, 1.000001, 5),))
 
 
 def velocity(*arguments):
@@ -2809,7 +2786,7 @@ def velocity(*arguments):
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
       5 no rotation: the length of a quaternion differs from 1 by more than rounding; all outputs are
         NaN
-    Operations: 244 (add 87, mul 120, div 6, trig 16, compare 15)
+    Operations: 239 (add 82, mul 120, div 6, trig 16, compare 15)
     Note: independent coordinates y: limb5_S.qx, limb5_S.qy
     """
     entries, batch = _entries("velocity", {"q": 16, "y_dot": 2}, arguments)
@@ -2895,35 +2872,31 @@ def velocity(*arguments):
         limb2_lower_sin = np.sin(t70)
         minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
         limb2_U_0_sin = np.cos(limb2_U_q_0)
-        # limb2: velocities, eq. (6); geometry; reciprocal wrenches, eq. (10)
         t72 = limb2_U_0_sin * limb5_S_joint_rate_wz
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
         t76 = t71 * (minus_limb2_upper_position_y * (t72 - minus_limb2_U_0_cos * minus_limb5_S_joint_rate_wx))
         limb2_U_joint_rate_0 = limb5_S_joint_rate_wy - t76
-        limb2_S_arm_x = limb2_upper_offset_x - 0.8 * limb2_lower_sin
+        minus_limb2_S_arm_x = 0.8 * limb2_lower_sin - limb2_upper_offset_x
         t80 = minus_limb2_U_0_cos * limb5_S_joint_rate_wz + limb2_U_0_sin * minus_limb5_S_joint_rate_wx
-        minus_limb2_U_joint_rate_1 = limb2_S_arm_x * t80 * (limb2_lower_cos * t71)
-        limb2_U_joint_rate_1 = -minus_limb2_U_joint_rate_1
-        minus_limb2_P_joint_rate = 0.8 * limb2_lower_cos * t80
-        limb2_P_joint_rate = -minus_limb2_P_joint_rate
-        # limb3: geometry; reciprocal wrenches, eq. (10); velocities, eq. (6)
+        limb2_U_joint_rate_1 = minus_limb2_S_arm_x * t80 * (limb2_lower_cos * t71)
+        limb2_P_joint_rate = (-0.8) * limb2_lower_cos * t80
+        # limb3: geometry; velocities, eq. (6); reciprocal wrenches, eq. (10)
         t82 = 0.5235987755982989 - limb3_U_q_1
-        limb3_lower_cos = np.cos(t82)
-        limb3_upper_offset_x = 0.3 + limb3_P_q
-        minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x
-        t83 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
         minus_limb3_lower_sin = np.sin(t82)
-        limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
+        limb3_upper_offset_x = 0.3 + limb3_P_q
+        minus_limb3_upper_position_x = minus_limb3_lower_sin * limb3_upper_offset_x - 0.8
         limb3_U_0_cos = np.cos(limb3_U_q_0)
-        t84 = limb3_U_0_cos * limb5_S_joint_rate_wz
+        t83 = limb3_U_0_cos * limb5_S_joint_rate_wz
         limb3_U_0_sin = np.sin(limb3_U_q_0)
-        minus_limb3_U_joint_rate_0 = minus_limb5_S_joint_rate_wx + t83 * (limb3_upper_position_x * (t84 - limb3_U_0_sin * limb5_S_joint_rate_wy))
-        limb3_U_joint_rate_0 = -minus_limb3_U_joint_rate_0
+        t86 = minus_limb3_upper_position_x * (t83 - limb3_U_0_sin * limb5_S_joint_rate_wy)
+        limb3_lower_cos = np.cos(t82)
+        minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x
+        t87 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
+        limb3_U_joint_rate_0 = t86 * t87 - minus_limb5_S_joint_rate_wx
         limb3_S_arm_x = limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin
         t92 = limb3_U_0_sin * limb5_S_joint_rate_wz + limb3_U_0_cos * limb5_S_joint_rate_wy
-        limb3_U_joint_rate_1 = limb3_S_arm_x * t92 * (limb3_lower_cos * t83)
-        minus_limb3_P_joint_rate = 0.8 * limb3_lower_cos * t92
-        limb3_P_joint_rate = -minus_limb3_P_joint_rate
+        limb3_U_joint_rate_1 = limb3_S_arm_x * t92 * (limb3_lower_cos * t87)
+        limb3_P_joint_rate = (-0.8) * limb3_lower_cos * t92
         # limb4: geometry; reciprocal wrenches, eq. (10); velocities, eq. (6)
         t94 = 2.6179938779914944 - limb4_U_q_1
         limb4_lower_cos = np.cos(t94)
@@ -2936,10 +2909,9 @@ def velocity(*arguments):
         t96 = limb4_U_0_sin * limb5_S_joint_rate_wz
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
         limb4_U_joint_rate_0 = limb5_S_joint_rate_wy + t95 * (limb4_upper_position_y * (t96 - minus_limb4_U_0_cos * minus_limb5_S_joint_rate_wx))
-        limb4_S_arm_x = limb4_upper_offset_x - 0.8 * minus_limb4_lower_sin
+        minus_limb4_S_arm_x = 0.8 * minus_limb4_lower_sin - limb4_upper_offset_x
         t104 = minus_limb4_U_0_cos * limb5_S_joint_rate_wz + limb4_U_0_sin * minus_limb5_S_joint_rate_wx
-        minus_limb4_U_joint_rate_1 = limb4_S_arm_x * t104 * (limb4_lower_cos * t95)
-        limb4_U_joint_rate_1 = -minus_limb4_U_joint_rate_1
+        limb4_U_joint_rate_1 = minus_limb4_S_arm_x * t104 * (limb4_lower_cos * t95)
         limb4_P_joint_rate = 0.8 * limb4_lower_cos * t104
         # platform: geometry; velocities, eq. (6)
         t106 = limb5_S_q_qx * t15
@@ -2962,11 +2934,11 @@ def velocity(*arguments):
             1.0e-09), (a_pivot, 1.0e-09)), (minus_limb1_U_0_lever_mz_by_limb1_U2_fz,
             minus_limb5_S_pivot_wz, a_pivot, limb1_U_joint_rate_0, limb1_U_joint_rate_1,
             limb1_P_joint_rate, minus_limb2_U_0_lever_mz_by_limb2_S_fz, limb2_U_joint_rate_0,
-            minus_limb2_U_joint_rate_1, minus_limb2_P_joint_rate,
-            minus_limb3_U_0_lever_mz_by_limb3_S_fz, minus_limb3_U_joint_rate_0,
-            limb3_U_joint_rate_1, minus_limb3_P_joint_rate, minus_limb4_U_0_lever_mz_by_limb4_S_fz,
-            limb4_U_joint_rate_0, minus_limb4_U_joint_rate_1, limb4_P_joint_rate, platform_omega_x,
-            platform_omega_y, platform_omega_z), ((t9, 0.999999, 1.000001, 5),))
+            limb2_U_joint_rate_1, limb2_P_joint_rate, minus_limb3_U_0_lever_mz_by_limb3_S_fz,
+            limb3_U_joint_rate_0, limb3_U_joint_rate_1, limb3_P_joint_rate,
+            minus_limb4_U_0_lever_mz_by_limb4_S_fz, limb4_U_joint_rate_0, limb4_U_joint_rate_1,
+            limb4_P_joint_rate, platform_omega_x, platform_omega_y, platform_omega_z), ((t9,
+            0.999999, 1.000001, 5),))
 
 
 def null_space(*arguments):
@@ -2996,7 +2968,7 @@ def null_space(*arguments):
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
       5 no rotation: the length of a quaternion differs from 1 by more than rounding; all outputs are
         NaN
-    Operations: 324 (add 122, mul 165, div 6, trig 16, compare 15)
+    Operations: 323 (add 121, mul 165, div 6, trig 16, compare 15)
     Note: independent coordinates y: limb5_S.qx, limb5_S.qy
     """
     entries, batch = _entries("null_space", {"q": 16}, arguments)
@@ -3176,13 +3148,10 @@ def null_space(*arguments):
         limb2_U_null_space_1_by_limb5_S_qy = -minus_limb2_U_null_space_1_by_limb5_S_qy
         minus_limb2_P_null_space_by_limb5_S_qy = minus_limb2_S_arm_y * t139
         limb2_P_null_space_by_limb5_S_qy = -minus_limb2_P_null_space_by_limb5_S_qy
-        # limb3: rates that follow
-        t141 = limb3_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qy
-        t145 = t79 * (limb3_upper_position_x * (t141 - limb3_U_0_sin * limb5_S_null_space_wy_by_limb5_S_qy))
-        minus_limb3_U_null_space_0_by_limb5_S_qy = t127 + t145
-        limb3_U_null_space_0_by_limb5_S_qy = -minus_limb3_U_null_space_0_by_limb5_S_qy
-        t146 = limb3_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qy
-        t148 = t146 + limb3_U_0_cos * limb5_S_null_space_wy_by_limb5_S_qy
+        t141 = limb3_U_0_sin * limb5_S_null_space_wy_by_limb5_S_qy  # limb3
+        limb3_U_null_space_0_by_limb5_S_qy = (t141 - limb3_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qy) * limb3_upper_position_x * t79 - t127
+        t146 = limb3_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qy  # limb3
+        t148 = t146 + limb3_U_0_cos * limb5_S_null_space_wy_by_limb5_S_qy  # limb3
         limb3_U_null_space_1_by_limb5_S_qy = limb3_S_arm_x * t148 * t85
         minus_limb3_P_null_space_by_limb5_S_qy = limb3_S_arm_y * t148
         limb3_P_null_space_by_limb5_S_qy = -minus_limb3_P_null_space_by_limb5_S_qy
@@ -3192,11 +3161,11 @@ def null_space(*arguments):
         minus_limb4_U_null_space_1_by_limb5_S_qy = limb4_S_arm_x * t157 * t98
         limb4_U_null_space_1_by_limb5_S_qy = -minus_limb4_U_null_space_1_by_limb5_S_qy
         limb4_P_null_space_by_limb5_S_qy = limb4_S_arm_y * t157
-        t159 = platform_turn_zx * limb5_S_null_space_wz_by_limb5_S_qy  # limb5_S
+        t159 = platform_turn_zx * limb5_S_null_space_wz_by_limb5_S_qy
         limb5_S_null_space_wx_by_limb5_S_qy = t159 + (platform_turn_yx * limb5_S_null_space_wy_by_limb5_S_qy - platform_turn_xx * t127)
-        t163 = platform_turn_zy * limb5_S_null_space_wz_by_limb5_S_qy  # limb5_S
+        t163 = platform_turn_zy * limb5_S_null_space_wz_by_limb5_S_qy
         limb5_S_null_space_wy_by_limb5_S_qy_2 = t163 + (platform_turn_yy * limb5_S_null_space_wy_by_limb5_S_qy - platform_turn_xy * t127)
-        t167 = platform_turn_zz * limb5_S_null_space_wz_by_limb5_S_qy  # limb5_S
+        t167 = platform_turn_zz * limb5_S_null_space_wz_by_limb5_S_qy
         limb5_S_null_space_wz_by_limb5_S_qy_2 = t167 + (platform_turn_yz * limb5_S_null_space_wy_by_limb5_S_qy - platform_turn_xz * t127)
         return _finish(batch, ((limb1_U_null_space_0_by_limb5_S_qx,
             limb1_U_null_space_1_by_limb5_S_qx, limb1_P_null_space_by_limb5_S_qx,
@@ -3230,7 +3199,7 @@ def null_space(*arguments):
             limb5_S_null_space_wz_by_limb5_S_qx_2, limb1_U_null_space_0_by_limb5_S_qy,
             limb1_U_null_space_1_by_limb5_S_qy, limb1_P_null_space_by_limb5_S_qy,
             limb2_U_null_space_0_by_limb5_S_qy, minus_limb2_U_null_space_1_by_limb5_S_qy,
-            minus_limb2_P_null_space_by_limb5_S_qy, minus_limb3_U_null_space_0_by_limb5_S_qy,
+            minus_limb2_P_null_space_by_limb5_S_qy, limb3_U_null_space_0_by_limb5_S_qy,
             limb3_U_null_space_1_by_limb5_S_qy, minus_limb3_P_null_space_by_limb5_S_qy,
             limb4_U_null_space_0_by_limb5_S_qy, minus_limb4_U_null_space_1_by_limb5_S_qy,
             limb4_P_null_space_by_limb5_S_qy, limb5_S_null_space_wx_by_limb5_S_qy,
@@ -3265,7 +3234,7 @@ def acceleration(*arguments):
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
       5 no rotation: the length of a quaternion differs from 1 by more than rounding; all outputs are
         NaN
-    Operations: 504 (add 192, mul 275, div 6, trig 16, compare 15)
+    Operations: 500 (add 188, mul 275, div 6, trig 16, compare 15)
     Note: independent coordinates y: limb5_S.qx, limb5_S.qy
     """
     entries, batch = _entries("acceleration", {"q": 16, "v": 15, "y_ddot": 2}, arguments)
@@ -3404,9 +3373,8 @@ def acceleration(*arguments):
         t196 = limb1_U2_arm_x * t195
         t197 = limb1_U_0_sin * minus_limb5_S_joint_acc_still_wz
         limb1_U_joint_acc_1 = t31 * (t196 - (t123 + limb1_U2_arm_x * t197))
-        t202 = t109 * (0.8 * t95)
-        minus_limb1_P_joint_acc = t202 + 0.8 * limb1_lower_cos * (t197 + (t116 - t195))
-        limb1_P_joint_acc = -minus_limb1_P_joint_acc
+        t202 = (-0.8) * t95 * t109
+        limb1_P_joint_acc = t202 - 0.8 * limb1_lower_cos * (t197 + (t116 - t195))
         # limb2: geometry; reciprocal wrenches, eq. (10)
         t206 = 2.6179938779914944 + limb2_U_q_1
         limb2_lower_cos = np.cos(t206)
@@ -3431,54 +3399,51 @@ def acceleration(*arguments):
         t228 = minus_limb2_U_0_cos * platform_twist_wz - limb2_U_0_sin * platform_twist_wx
         t234 = t213 - (t218 - (t225 + limb2_U_v_0 * (t217 + minus_limb2_upper_position_y * t228)))
         limb2_U_joint_acc_0 = limb5_S_joint_acc_wy - t207 * (t211 - t234)
-        t237 = limb2_lower_cos * t207
+        t239 = (0.8 * t222 - limb2_P_v) * t228
+        t240 = limb2_U_v_1 * limb2_P_v
         limb2_S_arm_x = limb2_upper_offset_x - 0.8 * limb2_lower_sin
-        t241 = minus_limb2_U_0_cos * t180 + limb2_U_0_sin * minus_limb5_S_joint_acc_wx
-        t242 = limb2_S_arm_x * t241
-        t245 = t228 * (limb2_P_v - 0.8 * t222)
-        t246 = limb2_U_v_1 * limb2_P_v
-        t247 = limb2_U_v_0 * t221
-        t248 = minus_limb2_U_0_cos * minus_limb5_S_joint_acc_still_wz
-        minus_limb2_U_joint_acc_1 = t237 * (t242 + (t245 + (t246 + limb2_S_arm_x * (t247 - t248))))
-        limb2_U_joint_acc_1 = -minus_limb2_U_joint_acc_1
+        t242 = limb2_U_v_0 * t221
+        t243 = minus_limb2_U_0_cos * minus_limb5_S_joint_acc_still_wz
+        t247 = t239 - (t240 + limb2_S_arm_x * (t242 - t243))
+        t250 = minus_limb2_U_0_cos * t180 + limb2_U_0_sin * minus_limb5_S_joint_acc_wx
+        limb2_U_joint_acc_1 = (t247 - limb2_S_arm_x * t250) * (limb2_lower_cos * t207)
         t255 = t228 * (0.8 * t214)
-        limb2_P_joint_acc = t255 + 0.8 * limb2_lower_cos * (t248 - (t247 + t241))
-        # limb3: geometry; reciprocal wrenches, eq. (10)
+        limb2_P_joint_acc = t255 + 0.8 * limb2_lower_cos * (t243 - (t242 + t250))
+        # limb3: geometry
         t259 = 0.5235987755982989 - limb3_U_q_1
-        limb3_lower_cos = np.cos(t259)
-        limb3_upper_offset_x = 0.3 + limb3_P_q
-        minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x
-        # limb3: accelerations; geometry; velocities, eq. (6)
-        t260 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
         minus_limb3_lower_sin = np.sin(t259)
+        limb3_upper_offset_x = 0.3 + limb3_P_q
         limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
         limb3_U_0_cos = np.cos(limb3_U_q_0)
-        t261 = limb3_U_0_cos * t180
+        # limb3: accelerations; geometry; reciprocal wrenches, eq. (10)
+        t261 = limb3_upper_position_x * (limb3_U_0_cos * minus_limb5_S_joint_acc_still_wz)
+        t262 = limb3_U_v_1 * minus_limb3_lower_sin
+        t263 = limb3_upper_offset_x * t262
+        limb3_lower_cos = np.cos(t259)
+        t265 = t263 + limb3_P_v * limb3_lower_cos
+        t266 = platform_twist_wx * t265
         limb3_U_0_sin = np.sin(limb3_U_q_0)
-        t264 = limb3_upper_position_x * (t261 - limb3_U_0_sin * limb5_S_joint_acc_wy)
-        t266 = limb3_upper_position_x * (limb3_U_0_cos * minus_limb5_S_joint_acc_still_wz)
-        t267 = limb3_U_v_1 * minus_limb3_lower_sin
-        t270 = limb3_upper_offset_x * t267 + limb3_P_v * limb3_lower_cos
-        t271 = platform_twist_wx * t270
-        t274 = limb3_U_0_sin * platform_twist_wy - limb3_U_0_cos * platform_twist_wz
+        t269 = limb3_U_0_sin * platform_twist_wy - limb3_U_0_cos * platform_twist_wz
         minus_limb3_upper_twist_vx = limb3_P_v * minus_limb3_lower_sin
-        t275 = limb3_U_v_1 * limb3_lower_cos
-        t278 = t274 * (minus_limb3_upper_twist_vx - limb3_upper_offset_x * t275)
-        t281 = limb3_U_0_cos * platform_twist_wy + limb3_U_0_sin * platform_twist_wz
-        t287 = t266 + (t271 - (t278 + limb3_U_v_0 * (t270 - limb3_upper_position_x * t281)))
-        minus_limb3_U_joint_acc_0 = minus_limb5_S_joint_acc_wx + t260 * (t264 - t287)
-        limb3_U_joint_acc_0 = -minus_limb3_U_joint_acc_0
-        t290 = limb3_lower_cos * t260
+        t270 = limb3_U_v_1 * limb3_lower_cos
+        t273 = t269 * (minus_limb3_upper_twist_vx - limb3_upper_offset_x * t270)
+        t276 = limb3_U_0_cos * platform_twist_wy + limb3_U_0_sin * platform_twist_wz
+        t282 = t261 + (t266 - (t273 + limb3_U_v_0 * (t265 - limb3_upper_position_x * t276)))
+        t287 = t282 - limb3_upper_position_x * (limb3_U_0_cos * t180 - limb3_U_0_sin * limb5_S_joint_acc_wy)
+        minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x
+        t288 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
+        limb3_U_joint_acc_0 = t287 * t288 - minus_limb5_S_joint_acc_wx
+        t290 = limb3_lower_cos * t288
         limb3_S_arm_x = limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin
         t294 = limb3_U_0_sin * t180 + limb3_U_0_cos * limb5_S_joint_acc_wy
         t295 = limb3_S_arm_x * t294
-        t298 = t281 * (limb3_P_v + 0.8 * t275)
+        t298 = t276 * (limb3_P_v + 0.8 * t270)
         t299 = limb3_U_v_1 * limb3_P_v
-        t300 = limb3_U_v_0 * t274
+        t300 = limb3_U_v_0 * t269
         t301 = limb3_U_0_sin * minus_limb5_S_joint_acc_still_wz
         limb3_U_joint_acc_1 = t290 * (t295 + (t298 - (t299 + limb3_S_arm_x * (t300 + t301))))
         t309 = 0.8 * limb3_lower_cos * (t301 + (t300 - t294))
-        limb3_P_joint_acc = t309 - t281 * (0.8 * t267)
+        limb3_P_joint_acc = t309 - t276 * (0.8 * t262)
         # limb4: geometry; reciprocal wrenches, eq. (10)
         t312 = 2.6179938779914944 - limb4_U_q_1
         limb4_lower_cos = np.cos(t312)
@@ -3503,18 +3468,16 @@ def acceleration(*arguments):
         t334 = minus_limb4_U_0_cos * platform_twist_wz - limb4_U_0_sin * platform_twist_wx
         t340 = t319 - (t324 - (t331 + limb4_U_v_0 * (t323 + limb4_upper_position_y * t334)))
         limb4_U_joint_acc_0 = limb5_S_joint_acc_wy + t313 * (t317 - t340)
-        t343 = limb4_lower_cos * t313
+        t345 = ((-0.8) * t328 - limb4_P_v) * t334
+        t346 = limb4_U_v_1 * limb4_P_v
         limb4_S_arm_x = limb4_upper_offset_x - 0.8 * minus_limb4_lower_sin
-        t347 = minus_limb4_U_0_cos * t180 + limb4_U_0_sin * minus_limb5_S_joint_acc_wx
-        t348 = limb4_S_arm_x * t347
-        t351 = t334 * (limb4_P_v + 0.8 * t328)
-        t352 = limb4_U_v_1 * limb4_P_v
-        t353 = limb4_U_v_0 * t327
-        t354 = minus_limb4_U_0_cos * minus_limb5_S_joint_acc_still_wz
-        minus_limb4_U_joint_acc_1 = t343 * (t348 + (t351 + (t352 + limb4_S_arm_x * (t353 - t354))))
-        limb4_U_joint_acc_1 = -minus_limb4_U_joint_acc_1
+        t348 = limb4_U_v_0 * t327
+        t349 = minus_limb4_U_0_cos * minus_limb5_S_joint_acc_still_wz
+        t353 = t345 - (t346 + limb4_S_arm_x * (t348 - t349))
+        t356 = minus_limb4_U_0_cos * t180 + limb4_U_0_sin * minus_limb5_S_joint_acc_wx
+        limb4_U_joint_acc_1 = (t353 - limb4_S_arm_x * t356) * (limb4_lower_cos * t313)
         t361 = t334 * (0.8 * t320)
-        limb4_P_joint_acc = t361 - 0.8 * limb4_lower_cos * (t354 - (t353 + t347))
+        limb4_P_joint_acc = t361 - 0.8 * limb4_lower_cos * (t349 - (t348 + t356))
         t367 = platform_turn_yx * limb5_S_joint_acc_wy - platform_turn_xx * minus_limb5_S_joint_acc_wx  # limb5_S
         minus_limb5_S_joint_acc_wz = minus_limb5_S_joint_acc_still_wz - t180
         limb5_S_a_wx = t367 - platform_turn_zx * minus_limb5_S_joint_acc_wz
@@ -3532,10 +3495,10 @@ def acceleration(*arguments):
             (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-10), (minus_limb5_S_pivot_wz,
             1.0e-09), (a_pivot, 1.0e-09)), (minus_limb1_U_0_lever_mz_by_limb1_U2_fz,
             minus_limb5_S_pivot_wz, a_pivot, limb1_U_joint_acc_0, limb1_U_joint_acc_1,
-            minus_limb1_P_joint_acc, minus_limb2_U_0_lever_mz_by_limb2_S_fz, limb2_U_joint_acc_0,
-            minus_limb2_U_joint_acc_1, limb2_P_joint_acc, minus_limb3_U_0_lever_mz_by_limb3_S_fz,
-            minus_limb3_U_joint_acc_0, limb3_U_joint_acc_1, limb3_P_joint_acc,
-            minus_limb4_U_0_lever_mz_by_limb4_S_fz, limb4_U_joint_acc_0, minus_limb4_U_joint_acc_1,
+            limb1_P_joint_acc, minus_limb2_U_0_lever_mz_by_limb2_S_fz, limb2_U_joint_acc_0,
+            limb2_U_joint_acc_1, limb2_P_joint_acc, minus_limb3_U_0_lever_mz_by_limb3_S_fz,
+            limb3_U_joint_acc_0, limb3_U_joint_acc_1, limb3_P_joint_acc,
+            minus_limb4_U_0_lever_mz_by_limb4_S_fz, limb4_U_joint_acc_0, limb4_U_joint_acc_1,
             limb4_P_joint_acc, limb5_S_a_wx, limb5_S_a_wy, limb5_S_a_wz), ((t9, 0.999999, 1.000001,
             5),))
 
@@ -3580,7 +3543,7 @@ def momentum_screws(*arguments):
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
       5 no rotation: the length of a quaternion differs from 1 by more than rounding; all outputs are
         NaN
-    Operations: 942 (add 398, mul 525, trig 16, compare 3)
+    Operations: 939 (add 395, mul 525, trig 16, compare 3)
     """
     entries, batch = _entries("momentum_screws", {"q": 16, "v": 15}, arguments)
     (
@@ -3992,26 +3955,23 @@ def momentum_screws(*arguments):
         limb4_upper_momentum_Lz = -minus_limb4_upper_momentum_Lz
         # px: results
         t712 = limb2_lower_momentum_px + (limb1_upper_momentum_px + (platform_momentum_px + limb1_lower_momentum_px))
-        t716 = minus_limb4_lower_momentum_px + (minus_limb3_upper_momentum_px - (limb3_lower_momentum_px + (limb2_upper_momentum_px + t712)))
-        t717 = minus_limb4_upper_momentum_px + t716
-        px_total = -t717
-        t720 = limb2_lower_momentum_py + (limb1_upper_momentum_py + (platform_momentum_py + limb1_lower_momentum_py))
-        t723 = minus_limb3_upper_momentum_py + (minus_limb3_lower_momentum_py - (limb2_upper_momentum_py + t720))
-        py_total = limb4_lower_momentum_py - t723 - minus_limb4_upper_momentum_py
-        t727 = limb2_lower_momentum_pz - (minus_limb1_upper_momentum_pz - (platform_momentum_pz - minus_limb1_lower_momentum_pz))
-        t731 = minus_limb4_lower_momentum_pz - (limb3_upper_momentum_pz + (limb3_lower_momentum_pz + (limb2_upper_momentum_pz + t727)))
-        t732 = minus_limb4_upper_momentum_pz + t731
-        pz_total = -t732
-        t735 = limb2_lower_momentum_Lx + (limb1_upper_momentum_Lx + (platform_momentum_Lx + limb1_lower_momentum_Lx))
-        t739 = limb4_lower_momentum_Lx + (limb3_upper_momentum_Lx + (limb3_lower_momentum_Lx + (limb2_upper_momentum_Lx + t735)))
-        Lx_total = limb4_upper_momentum_Lx + t739
-        t742 = minus_limb2_lower_momentum_Ly + (minus_limb1_upper_momentum_Ly - (platform_momentum_Ly - minus_limb1_lower_momentum_Ly))
-        t746 = limb4_lower_momentum_Ly + (limb3_upper_momentum_Ly + (limb3_lower_momentum_Ly - (minus_limb2_upper_momentum_Ly + t742)))
-        Ly_total = limb4_upper_momentum_Ly + t746
-        t749 = minus_limb2_lower_momentum_Lz - (limb1_upper_momentum_Lz + (platform_momentum_Lz + limb1_lower_momentum_Lz))
-        t752 = minus_limb3_upper_momentum_Lz + (minus_limb3_lower_momentum_Lz + (minus_limb2_upper_momentum_Lz + t749))
-        t754 = minus_limb4_upper_momentum_Lz + (minus_limb4_lower_momentum_Lz + t752)
-        Lz_total = -t754
+        t716 = limb3_lower_momentum_px + (limb2_upper_momentum_px + t712) - minus_limb3_upper_momentum_px - minus_limb4_lower_momentum_px
+        px_total = t716 - minus_limb4_upper_momentum_px
+        t719 = limb2_lower_momentum_py + (limb1_upper_momentum_py + (platform_momentum_py + limb1_lower_momentum_py))
+        t722 = minus_limb3_upper_momentum_py + (minus_limb3_lower_momentum_py - (limb2_upper_momentum_py + t719))
+        py_total = limb4_lower_momentum_py - t722 - minus_limb4_upper_momentum_py
+        t726 = limb2_lower_momentum_pz - (minus_limb1_upper_momentum_pz - (platform_momentum_pz - minus_limb1_lower_momentum_pz))
+        t730 = limb3_upper_momentum_pz + (limb3_lower_momentum_pz + (limb2_upper_momentum_pz + t726)) - minus_limb4_lower_momentum_pz
+        pz_total = t730 - minus_limb4_upper_momentum_pz
+        t733 = limb2_lower_momentum_Lx + (limb1_upper_momentum_Lx + (platform_momentum_Lx + limb1_lower_momentum_Lx))
+        t737 = limb4_lower_momentum_Lx + (limb3_upper_momentum_Lx + (limb3_lower_momentum_Lx + (limb2_upper_momentum_Lx + t733)))
+        Lx_total = limb4_upper_momentum_Lx + t737
+        t740 = minus_limb2_lower_momentum_Ly + (minus_limb1_upper_momentum_Ly - (platform_momentum_Ly - minus_limb1_lower_momentum_Ly))
+        t744 = limb4_lower_momentum_Ly + (limb3_upper_momentum_Ly + (limb3_lower_momentum_Ly - (minus_limb2_upper_momentum_Ly + t740)))
+        Ly_total = limb4_upper_momentum_Ly + t744
+        t747 = limb1_upper_momentum_Lz + (platform_momentum_Lz + limb1_lower_momentum_Lz) - minus_limb2_lower_momentum_Lz
+        t750 = t747 - minus_limb2_upper_momentum_Lz - minus_limb3_lower_momentum_Lz - minus_limb3_upper_momentum_Lz
+        Lz_total = t750 - minus_limb4_lower_momentum_Lz - minus_limb4_upper_momentum_Lz
         return _finish(batch, ((platform_momentum_px, platform_momentum_py, platform_momentum_pz,
             platform_momentum_Lx, platform_momentum_Ly, platform_momentum_Lz,
             limb1_lower_momentum_px, limb1_lower_momentum_py, limb1_lower_momentum_pz,
@@ -4030,8 +3990,8 @@ def momentum_screws(*arguments):
             limb4_lower_momentum_Lx, limb4_lower_momentum_Ly, limb4_lower_momentum_Lz,
             limb4_upper_momentum_px, limb4_upper_momentum_py, limb4_upper_momentum_pz,
             limb4_upper_momentum_Lx, limb4_upper_momentum_Ly, limb4_upper_momentum_Lz), (px_total,
-            py_total, pz_total, Lx_total, Ly_total, Lz_total)), (), (t717, py_total, t732, Lx_total,
-            Ly_total, t754), ((t7, 0.999999, 1.000001, 5),))
+            py_total, pz_total, Lx_total, Ly_total, Lz_total)), (), (px_total, py_total, pz_total,
+            Lx_total, Ly_total, Lz_total), ((t7, 0.999999, 1.000001, 5),))
 
 
 def momentum_rates(*arguments):
@@ -4076,7 +4036,7 @@ def momentum_rates(*arguments):
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
       5 no rotation: the length of a quaternion differs from 1 by more than rounding; all outputs are
         NaN
-    Operations: 1694 (add 717, mul 958, trig 16, compare 3)
+    Operations: 1687 (add 710, mul 958, trig 16, compare 3)
     """
     entries, batch = _entries("momentum_rates", {"q": 16, "v": 15, "a": 15}, arguments)
     (
@@ -4291,13 +4251,12 @@ def momentum_rates(*arguments):
         t350 = t205 * t335 - t201 * t339
         t352 = t347 + limb1_lower_twist_rate_wz * t350
         limb1_lower_rate_at_O_mx = t332 + (t352 + (t220 * t269 - t207 * t252))
-        t357 = minus_limb1_lower_twist_vz * limb1_lower_momentum_px
-        t362 = limb1_U_v_0 * t341 - limb1_lower_twist_wy * t345 + limb1_lower_twist_wz * t350
-        limb1_lower_momentum_Lx = t362 + (t220 * minus_limb1_lower_momentum_pz - t207 * limb1_lower_momentum_py)
-        t369 = t357 - (limb1_lower_twist_wz * limb1_lower_momentum_Lx - limb1_U_v_0 * limb1_lower_momentum_Lz)
+        t361 = limb1_U_v_0 * t341 - limb1_lower_twist_wy * t345 + limb1_lower_twist_wz * t350
+        limb1_lower_momentum_Lx = t361 + (t220 * minus_limb1_lower_momentum_pz - t207 * limb1_lower_momentum_py)
+        t367 = limb1_lower_twist_wz * limb1_lower_momentum_Lx - limb1_U_v_0 * limb1_lower_momentum_Lz
+        t369 = t367 - minus_limb1_lower_twist_vz * limb1_lower_momentum_px
         t374 = limb1_U_a_0 * t307 - limb1_lower_twist_rate_wy * t314 + limb1_lower_twist_rate_wz * t321
-        minus_limb1_lower_rate_at_O_my = t369 + (t374 - (t207 * t223 + t234 * t269))
-        limb1_lower_rate_at_O_my = -minus_limb1_lower_rate_at_O_my
+        limb1_lower_rate_at_O_my = t369 - (t374 - (t207 * t223 + t234 * t269))
         t383 = limb1_U_a_0 * t278 - limb1_lower_twist_rate_wy * t285 + limb1_lower_twist_rate_wz * t292
         t387 = t383 + (t234 * t252 + t220 * t223)
         t388 = limb1_lower_twist_vy * limb1_lower_momentum_px
@@ -4337,7 +4296,7 @@ def momentum_rates(*arguments):
         t461 = limb1_upper_twist_vy * minus_limb1_upper_momentum_pz
         t464 = t460 - (t461 - minus_limb1_upper_twist_vz * limb1_upper_momentum_py)
         limb1_upper_rate_at_O_mx = t464 + (t352 + (t400 * t451 - t398 * t430))
-        limb1_upper_momentum_Lx = t362 + (t400 * minus_limb1_upper_momentum_pz - t398 * limb1_upper_momentum_py)
+        limb1_upper_momentum_Lx = t361 + (t400 * minus_limb1_upper_momentum_pz - t398 * limb1_upper_momentum_py)
         t474 = limb1_lower_twist_wz * limb1_upper_momentum_Lx - limb1_U_v_0 * limb1_upper_momentum_Lz
         t475 = minus_limb1_upper_twist_vz * limb1_upper_momentum_px
         t478 = t474 - (t475 - limb1_upper_twist_vx * minus_limb1_upper_momentum_pz)
@@ -4438,15 +4397,13 @@ def momentum_rates(*arguments):
         minus_limb2_lower_momentum_Ly = t647 + (t506 * limb2_lower_momentum_px - t534 * limb2_lower_momentum_pz)
         # limb2: momentum rate, eq. (35); momentum, eq. (31); accelerations
         limb2_lower_rate_at_O_mx = t597 - (t598 + (t627 + minus_limb2_lower_twist_wz * minus_limb2_lower_momentum_Ly))
-        t658 = limb2_lower_twist_wx * t580 - limb2_U_v_0 * t584 + minus_limb2_lower_twist_wz * t591
-        limb2_lower_momentum_Lx = t658 + (t520 * limb2_lower_momentum_pz + t506 * limb2_lower_momentum_py)
-        t662 = minus_limb2_lower_twist_wz * limb2_lower_momentum_Lx
-        t664 = t662 - limb2_lower_twist_wx * minus_limb2_lower_momentum_Lz
-        t667 = limb2_lower_twist_vz * limb2_lower_momentum_px - limb2_lower_twist_vx * limb2_lower_momentum_pz
-        t668 = t664 - t667
+        t656 = limb2_lower_twist_vz * limb2_lower_momentum_px - limb2_lower_twist_vx * limb2_lower_momentum_pz
+        t661 = limb2_lower_twist_wx * t580 - limb2_U_v_0 * t584 + minus_limb2_lower_twist_wz * t591
+        limb2_lower_momentum_Lx = t661 + (t520 * limb2_lower_momentum_pz + t506 * limb2_lower_momentum_py)
+        t665 = minus_limb2_lower_twist_wz * limb2_lower_momentum_Lx
+        t668 = t656 - (t665 - limb2_lower_twist_wx * minus_limb2_lower_momentum_Lz)
         t673 = limb2_lower_twist_rate_wx * t636 - limb2_U_a_0 * t640 - minus_limb2_lower_twist_rate_wz * t645
-        minus_limb2_lower_rate_at_O_my = t668 + (t673 + (t506 * t524 - t534 * t565))
-        limb2_lower_rate_at_O_my = -minus_limb2_lower_rate_at_O_my
+        limb2_lower_rate_at_O_my = t668 - (t673 + (t506 * t524 - t534 * t565))
         t678 = limb2_lower_twist_vx * limb2_lower_momentum_py
         t682 = t678 - (limb2_lower_twist_wx * minus_limb2_lower_momentum_Ly + limb2_U_v_0 * limb2_lower_momentum_Lx)
         t687 = limb2_lower_twist_rate_wx * t610 + limb2_U_a_0 * t614 + minus_limb2_lower_twist_rate_wz * t621
@@ -4487,16 +4444,14 @@ def momentum_rates(*arguments):
         t763 = t758 + minus_limb2_lower_twist_wz * minus_limb2_upper_momentum_Ly
         t766 = limb2_upper_twist_vy * limb2_upper_momentum_pz - limb2_upper_twist_vz * limb2_upper_momentum_py
         limb2_upper_rate_at_O_mx = t754 - (t763 - t766)
-        limb2_upper_momentum_Lx = t658 - (t701 * limb2_upper_momentum_pz - t698 * limb2_upper_momentum_py)
-        t771 = minus_limb2_lower_twist_wz * limb2_upper_momentum_Lx
-        t773 = t771 - limb2_lower_twist_wx * minus_limb2_upper_momentum_Lz
-        t776 = limb2_upper_twist_vz * limb2_upper_momentum_px - limb2_upper_twist_vx * limb2_upper_momentum_pz
-        minus_limb2_upper_rate_at_O_my = t773 - t776 + (t673 + (t698 * t705 - t708 * t747))
-        limb2_upper_rate_at_O_my = -minus_limb2_upper_rate_at_O_my
-        t784 = limb2_lower_twist_wx * minus_limb2_upper_momentum_Ly + limb2_U_v_0 * limb2_upper_momentum_Lx
-        t787 = limb2_upper_twist_vx * limb2_upper_momentum_py - limb2_upper_twist_vy * limb2_upper_momentum_px
-        minus_limb2_upper_rate_at_O_mz = t784 - t787 + (t687 + (t708 * t728 - t701 * t705))
-        limb2_upper_rate_at_O_mz = -minus_limb2_upper_rate_at_O_mz
+        t770 = limb2_upper_twist_vz * limb2_upper_momentum_px - limb2_upper_twist_vx * limb2_upper_momentum_pz
+        limb2_upper_momentum_Lx = t661 - (t701 * limb2_upper_momentum_pz - t698 * limb2_upper_momentum_py)
+        t774 = minus_limb2_lower_twist_wz * limb2_upper_momentum_Lx
+        t777 = t770 - (t774 - limb2_lower_twist_wx * minus_limb2_upper_momentum_Lz)
+        limb2_upper_rate_at_O_my = t777 - (t673 + (t698 * t705 - t708 * t747))
+        t784 = limb2_upper_twist_vx * limb2_upper_momentum_py - limb2_upper_twist_vy * limb2_upper_momentum_px
+        t788 = t784 - (limb2_lower_twist_wx * minus_limb2_upper_momentum_Ly + limb2_U_v_0 * limb2_upper_momentum_Lx)
+        limb2_upper_rate_at_O_mz = t788 - (t687 + (t708 * t728 - t701 * t705))
         # limb3: geometry; accelerations; momentum rate, eq. (35)
         limb3_U_0_cos = np.cos(limb3_U_q_0)
         t793 = limb3_U_a_1 * limb3_U_0_cos
@@ -4645,126 +4600,123 @@ def momentum_rates(*arguments):
         t1084 = minus_limb3_upper_twist_vx * minus_limb3_upper_momentum_py
         t1087 = t1083 + (t1084 - minus_limb3_upper_twist_vy * minus_limb3_upper_momentum_px)
         limb3_upper_rate_at_O_mz = t1087 - (t986 + (t995 * t1028 + t992 * t1017))
-        # limb4: geometry; accelerations
+        # limb4: geometry; velocities, eq. (6); momentum, eq. (31)
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
-        minus_limb4_U_1_screw_vx = 0.8 * minus_limb4_U_0_cos
-        t1092 = limb4_U_a_1 * minus_limb4_U_1_screw_vx
-        limb4_U_0_sin = np.cos(limb4_U_q_0)
-        minus_limb4_U_1_screw_vz = 0.8 * limb4_U_0_sin
-        minus_limb4_lower_twist_rate_vx = t1092 + limb4_U_v_1 * (limb4_U_v_0 * minus_limb4_U_1_screw_vz)
-        t1095 = 2.6179938779914944 - limb4_U_q_1
-        limb4_lower_cos = np.cos(t1095)
-        minus_limb4_lower_rotation_zx = limb4_U_0_sin * limb4_lower_cos
-        # limb4: momentum rate, eq. (35); geometry; velocities, eq. (6)
-        t1096 = 0.8660254037844386 * minus_limb4_lower_rotation_zx
-        minus_limb4_lower_sin = np.sin(t1095)
-        minus_limb4_lower_rotation_zy = limb4_U_0_sin * minus_limb4_lower_sin
-        t1098 = t1096 - 0.5 * minus_limb4_lower_rotation_zy
-        t1099 = 0.12990381056766578 * t1098
-        t1102 = 0.5 * minus_limb4_lower_rotation_zx + 0.8660254037844386 * minus_limb4_lower_rotation_zy
-        t1104 = t1099 + 0.075 * t1102
-        t1105 = limb4_U_a_0 * t1104
-        minus_limb4_lower_twist_rate_wz = limb4_U_a_1 * minus_limb4_U_0_cos + limb4_U_v_1 * (limb4_U_v_0 * limb4_U_0_sin)
-        t1111 = 0.8660254037844386 * minus_limb4_lower_sin + 0.5 * limb4_lower_cos
-        t1112 = 0.12990381056766578 * t1111
-        t1115 = 0.5 * minus_limb4_lower_sin - 0.8660254037844386 * limb4_lower_cos
-        t1116 = 0.075 * t1115
-        t1118 = t1112 - (0.8 - t1116)
-        t1122 = 1.42 * (minus_limb4_lower_twist_rate_vx + (t1105 + minus_limb4_lower_twist_rate_wz * t1118))
-        minus_limb4_lower_twist_vz = limb4_U_v_1 * minus_limb4_U_1_screw_vz
-        limb4_lower_twist_wx = limb4_U_v_1 * limb4_U_0_sin
-        # limb4: momentum, eq. (31); geometry; momentum rate, eq. (35)
-        t1123 = limb4_lower_twist_wx * t1118
-        minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos
-        t1124 = 0.8660254037844386 * minus_limb4_lower_rotation_xx
-        minus_limb4_lower_rotation_xy = minus_limb4_U_0_cos * minus_limb4_lower_sin
-        t1126 = t1124 - 0.5 * minus_limb4_lower_rotation_xy
-        t1127 = 0.12990381056766578 * t1126
-        t1130 = 0.5 * minus_limb4_lower_rotation_xx + 0.8660254037844386 * minus_limb4_lower_rotation_xy
-        t1132 = t1127 + 0.075 * t1130
-        minus_limb4_lower_momentum_pz = 1.42 * (minus_limb4_lower_twist_vz + (t1123 - limb4_U_v_0 * t1132))
-        t1136 = limb4_U_v_0 * minus_limb4_lower_momentum_pz
         minus_limb4_lower_twist_wz = limb4_U_v_1 * minus_limb4_U_0_cos
-        limb4_lower_momentum_py = 1.42 * (minus_limb4_lower_twist_wz * t1132 + limb4_lower_twist_wx * t1104)
+        t1092 = 2.6179938779914944 - limb4_U_q_1
+        limb4_lower_cos = np.cos(t1092)
+        minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos
+        t1093 = 0.8660254037844386 * minus_limb4_lower_rotation_xx
+        minus_limb4_lower_sin = np.sin(t1092)
+        minus_limb4_lower_rotation_xy = minus_limb4_U_0_cos * minus_limb4_lower_sin
+        # limb4: momentum, eq. (31); geometry; velocities, eq. (6)
+        t1095 = t1093 - 0.5 * minus_limb4_lower_rotation_xy
+        t1096 = 0.12990381056766578 * t1095
+        t1099 = 0.5 * minus_limb4_lower_rotation_xx + 0.8660254037844386 * minus_limb4_lower_rotation_xy
+        t1101 = t1096 + 0.075 * t1099
+        t1102 = minus_limb4_lower_twist_wz * t1101
+        limb4_U_0_sin = np.cos(limb4_U_q_0)
+        limb4_lower_twist_wx = limb4_U_v_1 * limb4_U_0_sin
+        minus_limb4_lower_rotation_zx = limb4_U_0_sin * limb4_lower_cos
+        t1103 = 0.8660254037844386 * minus_limb4_lower_rotation_zx
+        minus_limb4_lower_rotation_zy = limb4_U_0_sin * minus_limb4_lower_sin
+        t1105 = t1103 - 0.5 * minus_limb4_lower_rotation_zy
+        t1106 = 0.12990381056766578 * t1105
+        t1109 = 0.5 * minus_limb4_lower_rotation_zx + 0.8660254037844386 * minus_limb4_lower_rotation_zy
+        t1111 = t1106 + 0.075 * t1109
+        limb4_lower_momentum_py = 1.42 * (t1102 + limb4_lower_twist_wx * t1111)
+        t1114 = minus_limb4_lower_twist_wz * limb4_lower_momentum_py
+        minus_limb4_U_1_screw_vz = 0.8 * limb4_U_0_sin
+        minus_limb4_lower_twist_vz = limb4_U_v_1 * minus_limb4_U_1_screw_vz
+        t1117 = 0.8660254037844386 * minus_limb4_lower_sin + 0.5 * limb4_lower_cos
+        t1118 = 0.12990381056766578 * t1117
+        t1121 = 0.5 * minus_limb4_lower_sin - 0.8660254037844386 * limb4_lower_cos
+        t1122 = 0.075 * t1121
+        t1124 = t1118 - (0.8 - t1122)
+        minus_limb4_lower_momentum_pz = 1.42 * (minus_limb4_lower_twist_vz + (limb4_lower_twist_wx * t1124 - limb4_U_v_0 * t1101))
+        t1130 = t1114 - limb4_U_v_0 * minus_limb4_lower_momentum_pz
+        minus_limb4_U_1_screw_vx = 0.8 * minus_limb4_U_0_cos
+        minus_limb4_lower_twist_rate_vx = limb4_U_a_1 * minus_limb4_U_1_screw_vx + limb4_U_v_1 * (limb4_U_v_0 * minus_limb4_U_1_screw_vz)
         # limb4: momentum rate, eq. (35); accelerations; velocities, eq. (6)
-        minus_limb4_lower_rate_at_O_fx = t1122 + (t1136 - minus_limb4_lower_twist_wz * limb4_lower_momentum_py)
-        limb4_lower_rate_at_O_fx = -minus_limb4_lower_rate_at_O_fx
-        t1142 = minus_limb4_lower_twist_rate_wz * t1132
+        t1134 = limb4_U_a_0 * t1111
+        minus_limb4_lower_twist_rate_wz = limb4_U_a_1 * minus_limb4_U_0_cos + limb4_U_v_1 * (limb4_U_v_0 * limb4_U_0_sin)
+        t1141 = 1.42 * (minus_limb4_lower_twist_rate_vx + (t1134 + minus_limb4_lower_twist_rate_wz * t1124))
+        limb4_lower_rate_at_O_fx = t1130 - t1141
+        t1142 = minus_limb4_lower_twist_rate_wz * t1101
         limb4_lower_twist_rate_wx = limb4_U_a_1 * limb4_U_0_sin - limb4_U_v_1 * (limb4_U_v_0 * minus_limb4_U_0_cos)
-        t1148 = 1.42 * (t1142 + limb4_lower_twist_rate_wx * t1104)
+        t1148 = 1.42 * (t1142 + limb4_lower_twist_rate_wx * t1111)
         minus_limb4_lower_twist_vx = limb4_U_v_1 * minus_limb4_U_1_screw_vx
-        minus_limb4_lower_momentum_px = 1.42 * (minus_limb4_lower_twist_vx + (limb4_U_v_0 * t1104 + minus_limb4_lower_twist_wz * t1118))
+        minus_limb4_lower_momentum_px = 1.42 * (minus_limb4_lower_twist_vx + (limb4_U_v_0 * t1111 + minus_limb4_lower_twist_wz * t1124))
         t1153 = minus_limb4_lower_twist_wz * minus_limb4_lower_momentum_px
         limb4_lower_rate_at_O_fy = t1148 + (t1153 + limb4_lower_twist_wx * minus_limb4_lower_momentum_pz)
         t1158 = limb4_lower_twist_wx * limb4_lower_momentum_py + limb4_U_v_0 * minus_limb4_lower_momentum_px
         minus_limb4_lower_twist_rate_vz = limb4_U_a_1 * minus_limb4_U_1_screw_vz - limb4_U_v_1 * (limb4_U_v_0 * minus_limb4_U_1_screw_vx)
-        t1166 = 1.42 * (minus_limb4_lower_twist_rate_vz + (limb4_lower_twist_rate_wx * t1118 - limb4_U_a_0 * t1132))
+        t1166 = 1.42 * (minus_limb4_lower_twist_rate_vz + (limb4_lower_twist_rate_wx * t1124 - limb4_U_a_0 * t1101))
         limb4_lower_rate_at_O_fz = t1158 - t1166
         t1167 = minus_limb4_lower_twist_vz * limb4_lower_momentum_py
         # limb4: momentum, eq. (31); momentum rate, eq. (35)
         t1168 = 1.14 * minus_limb4_U_0_cos
         t1169 = limb4_U_0_sin * t1168
-        t1172 = 0.8839 * t1102 - 0.478219227969767 * t1098
-        t1174 = t1169 - t1130 * t1172
-        t1177 = 0.478219227969767 * t1102 - 0.3317 * t1098
-        t1179 = t1174 + t1126 * t1177
+        t1172 = 0.8839 * t1109 - 0.478219227969767 * t1105
+        t1174 = t1169 - t1099 * t1172
+        t1177 = 0.478219227969767 * t1109 - 0.3317 * t1105
+        t1179 = t1174 + t1095 * t1177
         t1180 = limb4_lower_twist_wx * t1179
-        t1183 = t1115 * t1172 - t1111 * t1177
+        t1183 = t1121 * t1172 - t1117 * t1177
         t1185 = t1180 - limb4_U_v_0 * t1183
-        t1190 = minus_limb4_U_0_cos * t1168 + t1102 * t1172 - t1098 * t1177
+        t1190 = minus_limb4_U_0_cos * t1168 + t1109 * t1172 - t1105 * t1177
         t1192 = t1185 + minus_limb4_lower_twist_wz * t1190
-        minus_limb4_lower_momentum_Lz = t1192 + (t1132 * limb4_lower_momentum_py + t1118 * minus_limb4_lower_momentum_px)
+        minus_limb4_lower_momentum_Lz = t1192 + (t1101 * limb4_lower_momentum_py + t1124 * minus_limb4_lower_momentum_px)
         t1196 = limb4_U_v_0 * minus_limb4_lower_momentum_Lz
-        t1199 = 0.8839 * t1115 - 0.478219227969767 * t1111
-        t1200 = t1130 * t1199
-        t1203 = 0.478219227969767 * t1115 - 0.3317 * t1111
-        t1205 = t1200 - t1126 * t1203
+        t1199 = 0.8839 * t1121 - 0.478219227969767 * t1117
+        t1200 = t1099 * t1199
+        t1203 = 0.478219227969767 * t1121 - 0.3317 * t1117
+        t1205 = t1200 - t1095 * t1203
         t1206 = limb4_lower_twist_wx * t1205
-        t1209 = t1115 * t1199 - t1111 * t1203
+        t1209 = t1121 * t1199 - t1117 * t1203
         t1211 = t1206 + limb4_U_v_0 * t1209
-        t1214 = t1102 * t1199 - t1098 * t1203
+        t1214 = t1109 * t1199 - t1105 * t1203
         t1216 = t1211 - minus_limb4_lower_twist_wz * t1214
-        limb4_lower_momentum_Ly = t1216 + (t1104 * minus_limb4_lower_momentum_px - t1132 * minus_limb4_lower_momentum_pz)
+        limb4_lower_momentum_Ly = t1216 + (t1111 * minus_limb4_lower_momentum_px - t1101 * minus_limb4_lower_momentum_pz)
         # limb4: momentum rate, eq. (35); momentum, eq. (31); accelerations
         t1222 = t1167 - (t1196 - minus_limb4_lower_twist_wz * limb4_lower_momentum_Ly)
         t1223 = 1.14 * limb4_U_0_sin
         t1224 = limb4_U_0_sin * t1223
-        t1227 = 0.8839 * t1130 - 0.478219227969767 * t1126
-        t1229 = t1224 + t1130 * t1227
-        t1232 = 0.478219227969767 * t1130 - 0.3317 * t1126
-        t1234 = t1229 - t1126 * t1232
+        t1227 = 0.8839 * t1099 - 0.478219227969767 * t1095
+        t1229 = t1224 + t1099 * t1227
+        t1232 = 0.478219227969767 * t1099 - 0.3317 * t1095
+        t1234 = t1229 - t1095 * t1232
         t1235 = limb4_lower_twist_rate_wx * t1234
-        t1238 = t1115 * t1227 - t1111 * t1232
+        t1238 = t1121 * t1227 - t1117 * t1232
         t1240 = t1235 + limb4_U_a_0 * t1238
-        t1245 = minus_limb4_U_0_cos * t1223 - t1102 * t1227 + t1098 * t1232
+        t1245 = minus_limb4_U_0_cos * t1223 - t1109 * t1227 + t1105 * t1232
         t1247 = t1240 + minus_limb4_lower_twist_rate_wz * t1245
-        limb4_lower_rate_at_O_mx = t1222 + (t1247 + (t1118 * t1166 + t1104 * t1148))
+        limb4_lower_rate_at_O_mx = t1222 + (t1247 + (t1124 * t1166 + t1111 * t1148))
         t1254 = limb4_lower_twist_rate_wx * t1205 + limb4_U_a_0 * t1209
         t1256 = t1254 - minus_limb4_lower_twist_rate_wz * t1214
-        t1260 = t1256 + (t1104 * t1122 - t1132 * t1166)
+        t1260 = t1256 + (t1111 * t1141 - t1101 * t1166)
         t1265 = limb4_lower_twist_wx * t1234 + limb4_U_v_0 * t1238 + minus_limb4_lower_twist_wz * t1245
-        limb4_lower_momentum_Lx = t1265 + (t1118 * minus_limb4_lower_momentum_pz + t1104 * limb4_lower_momentum_py)
+        limb4_lower_momentum_Lx = t1265 + (t1124 * minus_limb4_lower_momentum_pz + t1111 * limb4_lower_momentum_py)
         t1269 = minus_limb4_lower_twist_wz * limb4_lower_momentum_Lx
         t1271 = t1269 - limb4_lower_twist_wx * minus_limb4_lower_momentum_Lz
         t1272 = minus_limb4_lower_twist_vz * minus_limb4_lower_momentum_px
         limb4_lower_rate_at_O_my = t1260 - (t1271 - (t1272 - minus_limb4_lower_twist_vx * minus_limb4_lower_momentum_pz))
-        t1276 = minus_limb4_lower_twist_vx * limb4_lower_momentum_py
-        t1280 = t1276 - (limb4_lower_twist_wx * limb4_lower_momentum_Ly - limb4_U_v_0 * limb4_lower_momentum_Lx)
+        t1278 = limb4_lower_twist_wx * limb4_lower_momentum_Ly - limb4_U_v_0 * limb4_lower_momentum_Lx
+        t1280 = t1278 - minus_limb4_lower_twist_vx * limb4_lower_momentum_py
         t1283 = limb4_lower_twist_rate_wx * t1179 - limb4_U_a_0 * t1183
         t1285 = t1283 + minus_limb4_lower_twist_rate_wz * t1190
-        minus_limb4_lower_rate_at_O_mz = t1280 + (t1285 + (t1132 * t1148 + t1118 * t1122))
-        limb4_lower_rate_at_O_mz = -minus_limb4_lower_rate_at_O_mz
+        limb4_lower_rate_at_O_mz = t1280 - (t1285 + (t1101 * t1148 + t1124 * t1141))
         t1291 = minus_limb4_lower_twist_rate_vx + limb4_P_a * minus_limb4_lower_rotation_xx
         t1292 = limb4_U_v_0 * minus_limb4_lower_rotation_zx
         minus_limb4_upper_twist_rate_vx = t1291 + limb4_P_v * (t1292 + minus_limb4_lower_sin * minus_limb4_lower_twist_wz)
         limb4_upper_offset_x = 0.3 + limb4_P_q
-        t1296 = limb4_upper_offset_x * minus_limb4_lower_rotation_zx - t1104
+        t1296 = limb4_upper_offset_x * minus_limb4_lower_rotation_zx - t1111
         t1297 = limb4_U_a_0 * t1296
-        t1299 = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x + (t1112 + t1116)
+        t1299 = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x + (t1118 + t1122)
         t1303 = 1.42 * (minus_limb4_upper_twist_rate_vx + (t1297 - minus_limb4_lower_twist_rate_wz * t1299))
         minus_limb4_upper_twist_vz = minus_limb4_lower_twist_vz + limb4_P_v * minus_limb4_lower_rotation_zx
         t1305 = limb4_lower_twist_wx * t1299
-        t1306 = limb4_upper_offset_x * minus_limb4_lower_rotation_xx - t1132
+        t1306 = limb4_upper_offset_x * minus_limb4_lower_rotation_xx - t1101
         minus_limb4_upper_momentum_pz = 1.42 * (minus_limb4_upper_twist_vz - (t1305 + limb4_U_v_0 * t1306))
         t1310 = limb4_U_v_0 * minus_limb4_upper_momentum_pz
         minus_limb4_upper_twist_vy = limb4_P_v * minus_limb4_lower_sin
@@ -4782,20 +4734,20 @@ def momentum_rates(*arguments):
         t1333 = minus_limb4_upper_twist_rate_vy - (minus_limb4_lower_twist_rate_wz * t1306 + limb4_lower_twist_rate_wx * t1296)
         t1334 = 1.42 * t1333
         limb4_upper_rate_at_O_fy = t1324 - t1334
-        t1336 = minus_limb4_lower_twist_rate_vz + limb4_P_a * minus_limb4_lower_rotation_zx
-        t1340 = limb4_P_v * (minus_limb4_lower_sin * limb4_lower_twist_wx - limb4_U_v_0 * minus_limb4_lower_rotation_xx)
-        t1345 = 1.42 * (t1336 + t1340 - (limb4_lower_twist_rate_wx * t1299 + limb4_U_a_0 * t1306))
-        t1346 = limb4_lower_twist_wx * minus_limb4_upper_momentum_py
-        minus_limb4_upper_rate_at_O_fz = t1345 + (t1346 - limb4_U_v_0 * minus_limb4_upper_momentum_px)
-        limb4_upper_rate_at_O_fz = -minus_limb4_upper_rate_at_O_fz
-        t1352 = t1247 - (t1299 * t1345 + t1296 * t1334)
+        t1335 = limb4_U_v_0 * minus_limb4_upper_momentum_px
+        t1337 = t1335 - limb4_lower_twist_wx * minus_limb4_upper_momentum_py
+        t1339 = minus_limb4_lower_twist_rate_vz + limb4_P_a * minus_limb4_lower_rotation_zx
+        t1343 = limb4_P_v * (minus_limb4_lower_sin * limb4_lower_twist_wx - limb4_U_v_0 * minus_limb4_lower_rotation_xx)
+        t1348 = 1.42 * (t1339 + t1343 - (limb4_lower_twist_rate_wx * t1299 + limb4_U_a_0 * t1306))
+        limb4_upper_rate_at_O_fz = t1337 - t1348
+        t1352 = t1247 - (t1299 * t1348 + t1296 * t1334)
         minus_limb4_upper_momentum_Lz = t1192 - (t1306 * minus_limb4_upper_momentum_py + t1299 * minus_limb4_upper_momentum_px)
         t1356 = limb4_U_v_0 * minus_limb4_upper_momentum_Lz
         limb4_upper_momentum_Ly = t1216 + (t1296 * minus_limb4_upper_momentum_px - t1306 * minus_limb4_upper_momentum_pz)
         t1361 = t1356 - minus_limb4_lower_twist_wz * limb4_upper_momentum_Ly
         t1362 = minus_limb4_upper_twist_vy * minus_limb4_upper_momentum_pz
         limb4_upper_rate_at_O_mx = t1352 - (t1361 - (t1362 - minus_limb4_upper_twist_vz * minus_limb4_upper_momentum_py))
-        t1369 = t1256 + (t1296 * t1303 - t1306 * t1345)
+        t1369 = t1256 + (t1296 * t1303 - t1306 * t1348)
         limb4_upper_momentum_Lx = t1265 - (t1299 * minus_limb4_upper_momentum_pz + t1296 * minus_limb4_upper_momentum_py)
         t1373 = minus_limb4_lower_twist_wz * limb4_upper_momentum_Lx
         t1375 = t1373 - limb4_lower_twist_wx * minus_limb4_upper_momentum_Lz
@@ -4826,22 +4778,22 @@ def momentum_rates(*arguments):
             (platform_rate_at_O_fx, platform_rate_at_O_fy, platform_rate_at_O_fz,
             platform_rate_at_O_mx, platform_rate_at_O_my, platform_rate_at_O_mz,
             limb1_lower_rate_at_O_fx, limb1_lower_rate_at_O_fy, limb1_lower_rate_at_O_fz,
-            limb1_lower_rate_at_O_mx, minus_limb1_lower_rate_at_O_my, limb1_lower_rate_at_O_mz,
+            limb1_lower_rate_at_O_mx, limb1_lower_rate_at_O_my, limb1_lower_rate_at_O_mz,
             limb1_upper_rate_at_O_fx, limb1_upper_rate_at_O_fy, limb1_upper_rate_at_O_fz,
             limb1_upper_rate_at_O_mx, limb1_upper_rate_at_O_my, limb1_upper_rate_at_O_mz,
             limb2_lower_rate_at_O_fx, limb2_lower_rate_at_O_fy, limb2_lower_rate_at_O_fz,
-            limb2_lower_rate_at_O_mx, minus_limb2_lower_rate_at_O_my, limb2_lower_rate_at_O_mz,
+            limb2_lower_rate_at_O_mx, limb2_lower_rate_at_O_my, limb2_lower_rate_at_O_mz,
             limb2_upper_rate_at_O_fx, limb2_upper_rate_at_O_fy, limb2_upper_rate_at_O_fz,
-            limb2_upper_rate_at_O_mx, minus_limb2_upper_rate_at_O_my,
-            minus_limb2_upper_rate_at_O_mz, limb3_lower_rate_at_O_fx, limb3_lower_rate_at_O_fy,
-            limb3_lower_rate_at_O_fz, limb3_lower_rate_at_O_mx, limb3_lower_rate_at_O_my,
-            limb3_lower_rate_at_O_mz, limb3_upper_rate_at_O_fx, minus_limb3_upper_rate_at_O_fy,
-            limb3_upper_rate_at_O_fz, limb3_upper_rate_at_O_mx, limb3_upper_rate_at_O_my,
-            limb3_upper_rate_at_O_mz, minus_limb4_lower_rate_at_O_fx, limb4_lower_rate_at_O_fy,
-            limb4_lower_rate_at_O_fz, limb4_lower_rate_at_O_mx, limb4_lower_rate_at_O_my,
-            minus_limb4_lower_rate_at_O_mz, minus_limb4_upper_rate_at_O_fx,
-            limb4_upper_rate_at_O_fy, minus_limb4_upper_rate_at_O_fz, limb4_upper_rate_at_O_mx,
-            limb4_upper_rate_at_O_my, limb4_upper_rate_at_O_mz), ((t7, 0.999999, 1.000001, 5),))
+            limb2_upper_rate_at_O_mx, limb2_upper_rate_at_O_my, limb2_upper_rate_at_O_mz,
+            limb3_lower_rate_at_O_fx, limb3_lower_rate_at_O_fy, limb3_lower_rate_at_O_fz,
+            limb3_lower_rate_at_O_mx, limb3_lower_rate_at_O_my, limb3_lower_rate_at_O_mz,
+            limb3_upper_rate_at_O_fx, minus_limb3_upper_rate_at_O_fy, limb3_upper_rate_at_O_fz,
+            limb3_upper_rate_at_O_mx, limb3_upper_rate_at_O_my, limb3_upper_rate_at_O_mz,
+            limb4_lower_rate_at_O_fx, limb4_lower_rate_at_O_fy, limb4_lower_rate_at_O_fz,
+            limb4_lower_rate_at_O_mx, limb4_lower_rate_at_O_my, limb4_lower_rate_at_O_mz,
+            minus_limb4_upper_rate_at_O_fx, limb4_upper_rate_at_O_fy, limb4_upper_rate_at_O_fz,
+            limb4_upper_rate_at_O_mx, limb4_upper_rate_at_O_my, limb4_upper_rate_at_O_mz), ((t7,
+            0.999999, 1.000001, 5),))
 
 
 def energy(*arguments):
@@ -5099,7 +5051,7 @@ def bias(*arguments):
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
       5 no rotation: the length of a quaternion differs from 1 by more than rounding; all outputs are
         NaN
-    Operations: 267 (add 94, mul 154, trig 16, compare 3)
+    Operations: 266 (add 93, mul 154, trig 16, compare 3)
     """
     entries, batch = _entries("bias", {"q": 16, "v": 15}, arguments)
     (
@@ -5172,10 +5124,11 @@ def bias(*arguments):
         limb2_upper_rate_fx = minus_limb2_lower_rate_fx - 1.42 * minus_limb2_upper_acc_still_x_2
         # limb3: geometry; balance, eqs. (40)-(47); accelerations
         t45 = 0.5235987755982989 - limb3_U_q_1
-        minus_limb3_lower_sin = np.sin(t45)
         limb3_lower_cos = np.cos(t45)
         limb3_lower_omega_y = limb3_U_v_0 * limb3_lower_cos
-        t46 = minus_limb3_lower_sin * (0.0712 * (limb3_U_v_1 * limb3_lower_omega_y))
+        minus_limb3_lower_rate_mx = (-0.0712) * (limb3_U_v_1 * limb3_lower_omega_y)
+        minus_limb3_lower_sin = np.sin(t45)
+        t46 = minus_limb3_lower_rate_mx * minus_limb3_lower_sin
         limb3_U_0_sin = np.sin(limb3_U_q_0)
         limb3_upper_moment_y = 2.08953 * limb3_U_0_sin
         minus_limb3_lower_omega_x = limb3_U_v_0 * minus_limb3_lower_sin
@@ -5187,8 +5140,7 @@ def bias(*arguments):
         limb3_upper_acc_still_z = limb3_U_0_acc_x - 2.0 * (t49 + limb3_upper_offset_x * limb3_lower_alpha_still_y)
         limb3_upper_rate_my = 0.213 * limb3_upper_acc_still_z
         t54 = limb3_upper_rate_my - limb3_upper_offset_x * (0.426 * limb3_lower_alpha_still_y + 1.42 * limb3_upper_acc_still_z)
-        minus_limb3_U_0_moment_z = t46 + limb3_lower_cos * (t48 - t54)
-        limb3_U_0_moment_z = -minus_limb3_U_0_moment_z
+        limb3_U_0_moment_z = t46 - limb3_lower_cos * (t48 - t54)
         minus_limb3_lower_U_still_xy = minus_limb3_lower_omega_x * limb3_lower_omega_y
         minus_limb3_lower_rate_fy = 0.213 * minus_limb3_lower_U_still_xy
         t57 = limb3_P_v * (2.0 * limb3_U_v_1)
@@ -5249,10 +5201,9 @@ def bias(*arguments):
             limb3_lower_moment_z, limb3_upper_rate_fx, limb4_U_0_moment_z, limb4_lower_moment_z,
             limb4_upper_rate_fx, platform_rate_mx, platform_rate_my, 0.0),), (),
             (limb1_U_0_moment_z, limb1_lower_moment_z, limb1_upper_rate_fx, limb2_U_0_moment_z,
-            limb2_lower_moment_z, limb2_upper_rate_fx, minus_limb3_U_0_moment_z,
-            limb3_lower_moment_z, limb3_upper_rate_fx, limb4_U_0_moment_z, limb4_lower_moment_z,
-            limb4_upper_rate_fx, platform_rate_mx, platform_rate_my), ((t96, 0.999999, 1.000001,
-            5),))
+            limb2_lower_moment_z, limb2_upper_rate_fx, limb3_U_0_moment_z, limb3_lower_moment_z,
+            limb3_upper_rate_fx, limb4_U_0_moment_z, limb4_lower_moment_z, limb4_upper_rate_fx,
+            platform_rate_mx, platform_rate_my), ((t96, 0.999999, 1.000001, 5),))
 
 
 def inverse_dynamics(*arguments):
@@ -6622,7 +6573,7 @@ def joint_reactions(*arguments):
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
       5 no rotation: the length of a quaternion differs from 1 by more than rounding; all outputs are
         NaN
-    Operations: 1201 (add 513, mul 651, div 6, trig 16, compare 15)
+    Operations: 1196 (add 508, mul 651, div 6, trig 16, compare 15)
     Note: 2 more drives than freedoms: the drives of smallest sum of squares; inverse_dynamics_preload
       takes weights and an internal preload
     """
@@ -7020,10 +6971,9 @@ def joint_reactions(*arguments):
         minus_limb1_lower_sent_my = minus_limb1_lower_rate_my_2 + (minus_limb1_upper_rate_my_2 - limb1_upper_offset_x * minus_limb1_upper_sent_fz)
         limb1_lower_joint_sent_my = t314 - limb1_lower_cos * minus_limb1_lower_sent_my
         # limb1: reactions, eq. (32); balance, eqs. (40)-(47); geometry
-        t321 = 0.8 * minus_limb1_U_0_joint_sent_fy
+        t321 = (-0.8) * minus_limb1_U_0_joint_sent_fy
         limb1_lower_joint_sent_mx = limb1_lower_cos * limb1_lower_sent_mx + limb1_lower_sin * minus_limb1_lower_sent_my
-        minus_limb1_U_reaction_my = t321 + limb1_U_0_sin * limb1_lower_joint_sent_mx
-        limb1_U_reaction_my = -minus_limb1_U_reaction_my
+        limb1_U_reaction_my = t321 - limb1_U_0_sin * limb1_lower_joint_sent_mx
         limb1_U_reaction_mz = limb1_U_0_cos * limb1_lower_joint_sent_mx - 0.8 * limb1_U_0_joint_sent_fx
         limb1_P_reaction_fx = limb1_lower_cos * limb1_upper_sent_fy
         t327 = limb1_U_0_cos * minus_limb1_upper_sent_fz
@@ -7041,16 +6991,15 @@ def joint_reactions(*arguments):
         minus_limb1_upper_position_y = limb1_upper_offset_x * minus_limb1_lower_rotation_yx
         t333 = t331 + minus_limb1_upper_position_y * minus_limb1_P_reaction_fz
         limb1_P_reaction_mx = t333 - (limb1_lower_cos * minus_limb1_upper_rate_my_2 - limb1_lower_sin * limb1_upper_sent_mx)
+        t337 = limb1_upper_position_z * limb1_P_reaction_fx
+        minus_limb1_upper_position_x = 0.8 - limb1_lower_sin * limb1_upper_offset_x
+        t339 = t337 - minus_limb1_upper_position_x * minus_limb1_P_reaction_fz
         minus_limb1_upper_rate_mz_2 = minus_limb1_upper_rate_mz - (1.17195 * limb1_U_a_1 + 1.13635 * limb1_lower_U_still_xy)
         limb1_U2_joint_reaction_mz = limb1_U2_constraint_mn_couple_z * minus_limb1_U2_multiplier_mn
         minus_limb1_upper_sent_mz = minus_limb1_upper_rate_mz_2 - limb1_U2_joint_reaction_mz
-        t340 = limb1_U_0_cos * minus_limb1_upper_sent_mz
-        t341 = limb1_lower_rotation_yy * minus_limb1_upper_rate_my_2
-        t344 = t340 + (t341 + minus_limb1_lower_rotation_yx * limb1_upper_sent_mx)
-        minus_limb1_upper_position_x = 0.8 - limb1_lower_sin * limb1_upper_offset_x
-        t345 = minus_limb1_upper_position_x * minus_limb1_P_reaction_fz
-        minus_limb1_P_reaction_my = t344 + (t345 - limb1_upper_position_z * limb1_P_reaction_fx)
-        limb1_P_reaction_my = -minus_limb1_P_reaction_my
+        t343 = limb1_U_0_cos * minus_limb1_upper_sent_mz
+        t344 = limb1_lower_rotation_yy * minus_limb1_upper_rate_my_2
+        limb1_P_reaction_my = t339 - (t343 + (t344 + minus_limb1_lower_rotation_yx * limb1_upper_sent_mx))
         t348 = minus_limb1_upper_position_y * limb1_P_reaction_fx
         t350 = t348 + minus_limb1_upper_position_x * minus_limb1_P_reaction_fy
         t351 = limb1_U_0_sin * minus_limb1_upper_sent_mz
@@ -7076,7 +7025,7 @@ def joint_reactions(*arguments):
         t378 = t376 + limb1_lower_rotation_zx * limb1_U2_joint_reaction_mx
         t379 = minus_limb1_upper_position_y * minus_limb1_U2_reaction_fx
         limb1_U2_reaction_mz = t378 - (t379 + minus_limb1_upper_position_x * limb1_U2_reaction_fy)
-        # limb2: balance, eqs. (40)-(47); momentum rate, eq. (35)
+        # limb2: balance, eqs. (40)-(47); momentum rate, eq. (35); reactions, eq. (32)
         minus_limb2_upper_sent_fz = minus_limb2_upper_rate_fz - minus_limb2_S_multiplier_fz
         minus_limb2_lower_sent_fz = minus_limb2_upper_sent_fz - (limb2_lower_rate_fz - 13.9302 * minus_limb2_U_0_cos)
         t382 = limb2_U_0_sin * minus_limb2_lower_sent_fz
@@ -7091,21 +7040,20 @@ def joint_reactions(*arguments):
         limb2_lower_joint_sent_fy = limb2_lower_cos * limb2_lower_sent_fy - limb2_lower_sin * minus_limb2_lower_sent_fx
         t388 = minus_limb2_U_0_cos * minus_limb2_lower_sent_fz
         limb2_U_0_joint_sent_fx = t388 + limb2_U_0_sin * minus_limb2_lower_joint_sent_fx
-        t390 = 0.0556 * (limb2_lower_alpha_still_x + limb2_U_a_0 * limb2_lower_sin)
-        limb2_upper_rate_mx = t390 - 0.02 * limb2_lower_alpha_still_x
+        t390 = (-0.8) * limb2_U_0_joint_sent_fx
+        t391 = 0.0556 * (limb2_lower_alpha_still_x + limb2_U_a_0 * limb2_lower_sin)
+        limb2_upper_rate_mx = t391 - 0.02 * limb2_lower_alpha_still_x
         limb2_lower_sent_mx = 2.0 * limb2_upper_rate_mx
-        t392 = limb2_lower_cos * limb2_lower_sent_mx
-        t395 = 1.19195 * minus_limb2_lower_alpha_y + 1.11635 * minus_limb2_lower_alpha_still_y
-        minus_limb2_upper_rate_my_2 = minus_limb2_upper_rate_my + t395
-        t397 = minus_limb2_upper_rate_my_2 - limb2_upper_offset_x * minus_limb2_upper_sent_fz
-        minus_limb2_lower_sent_my = t397 - (minus_limb2_upper_moment_y - t395)
-        limb2_lower_joint_sent_mx = t392 + limb2_lower_sin * minus_limb2_lower_sent_my
+        t393 = limb2_lower_cos * limb2_lower_sent_mx
+        t396 = 1.19195 * minus_limb2_lower_alpha_y + 1.11635 * minus_limb2_lower_alpha_still_y
+        minus_limb2_upper_rate_my_2 = minus_limb2_upper_rate_my + t396
+        t398 = minus_limb2_upper_rate_my_2 - limb2_upper_offset_x * minus_limb2_upper_sent_fz
+        minus_limb2_lower_sent_my = t398 - (minus_limb2_upper_moment_y - t396)
+        limb2_lower_joint_sent_mx = t393 + limb2_lower_sin * minus_limb2_lower_sent_my
         # limb2: reactions, eq. (32); balance, eqs. (40)-(47); geometry
-        minus_limb2_U_reaction_mx = minus_limb2_U_0_cos * limb2_lower_joint_sent_mx + 0.8 * limb2_U_0_joint_sent_fx
-        limb2_U_reaction_mx = -minus_limb2_U_reaction_mx
+        limb2_U_reaction_mx = t390 - minus_limb2_U_0_cos * limb2_lower_joint_sent_mx
         limb2_lower_joint_sent_my = limb2_lower_sin * limb2_lower_sent_mx - limb2_lower_cos * minus_limb2_lower_sent_my
-        minus_limb2_U_reaction_mz = limb2_U_0_sin * limb2_lower_joint_sent_mx + 0.8 * minus_limb2_U_0_joint_sent_fy
-        limb2_U_reaction_mz = -minus_limb2_U_reaction_mz
+        limb2_U_reaction_mz = (-0.8) * minus_limb2_U_0_joint_sent_fy - limb2_U_0_sin * limb2_lower_joint_sent_mx
         t405 = limb2_U_0_sin * minus_limb2_upper_sent_fz
         limb2_lower_rotation_xy = minus_limb2_U_0_cos * limb2_lower_sin
         minus_limb2_P_reaction_fx = t405 - limb2_lower_rotation_xy * limb2_upper_sent_fy
@@ -7128,12 +7076,11 @@ def joint_reactions(*arguments):
         minus_limb2_upper_position_x = limb2_upper_offset_x * minus_limb2_lower_rotation_xx
         t423 = minus_limb2_upper_position_x * limb2_P_reaction_fz
         limb2_P_reaction_my = t422 + (t423 + minus_limb2_upper_position_z * minus_limb2_P_reaction_fx)
-        t426 = minus_limb2_lower_rotation_zx * limb2_upper_rate_mx
-        t428 = t426 + limb2_lower_rotation_zy * minus_limb2_upper_rate_my_2
-        t430 = t428 - minus_limb2_U_0_cos * minus_limb2_upper_rate_mz_2
+        t426 = minus_limb2_U_0_cos * minus_limb2_upper_rate_mz_2
+        t427 = minus_limb2_lower_rotation_zx * limb2_upper_rate_mx
+        t430 = t426 - (t427 + limb2_lower_rotation_zy * minus_limb2_upper_rate_my_2)
         t431 = minus_limb2_upper_position_y * minus_limb2_P_reaction_fx
-        minus_limb2_P_reaction_mz = t430 + (t431 + minus_limb2_upper_position_x * limb2_P_reaction_fy)
-        limb2_P_reaction_mz = -minus_limb2_P_reaction_mz
+        limb2_P_reaction_mz = t430 - (t431 + minus_limb2_upper_position_x * limb2_P_reaction_fy)
         t434 = limb2_U_0_sin * minus_limb2_S_multiplier_fz
         t435 = limb2_lower_rotation_xy * minus_limb2_S_multiplier_fy
         limb2_S_multiplier_fx = limb2_upper_rate_fx - limb2_P_drive
@@ -7352,11 +7299,10 @@ def joint_reactions(*arguments):
             platform_joint_force_mz_by_limb1_U2_mn, minus_limb4_U_0_lever_mz_by_limb4_S_fz,
             minus_limb3_U_0_lever_mz_by_limb3_S_fz, minus_limb2_U_0_lever_mz_by_limb2_S_fz,
             minus_determinant, limb1_lower_joint_sent_fy, limb1_lower_joint_sent_my,
-            minus_limb1_U_reaction_my, limb1_U_reaction_mz, limb1_P_reaction_mx,
-            minus_limb1_P_reaction_my, limb1_P_reaction_mz, limb1_U2_reaction_mx,
-            limb1_U2_reaction_my, limb1_U2_reaction_mz, limb2_lower_joint_sent_fy,
-            minus_limb2_U_reaction_mx, limb2_lower_joint_sent_my, minus_limb2_U_reaction_mz,
-            limb2_P_reaction_mx, limb2_P_reaction_my, minus_limb2_P_reaction_mz,
+            limb1_U_reaction_my, limb1_U_reaction_mz, limb1_P_reaction_mx, limb1_P_reaction_my,
+            limb1_P_reaction_mz, limb1_U2_reaction_mx, limb1_U2_reaction_my, limb1_U2_reaction_mz,
+            limb2_lower_joint_sent_fy, limb2_U_reaction_mx, limb2_lower_joint_sent_my,
+            limb2_U_reaction_mz, limb2_P_reaction_mx, limb2_P_reaction_my, limb2_P_reaction_mz,
             limb2_S_reaction_mx, minus_limb2_S_reaction_my, limb2_S_reaction_mz,
             limb3_lower_joint_sent_fy, minus_limb3_lower_joint_sent_my, limb3_U_reaction_my,
             limb3_U_reaction_mz, limb3_P_reaction_mx, limb3_P_reaction_my, limb3_P_reaction_mz,
@@ -8149,79 +8095,75 @@ def _forward_dynamics_dense(*arguments):
         t270 = limb5_S_v_wy * platform_turn_yy + limb5_S_v_wx * platform_turn_yx
         platform_twist_wy = t270 + limb5_S_v_wz * platform_turn_yz
         # limb1: loop closure; reciprocal wrenches, eq. (10); accelerations
-        t272 = limb1_U_0_sin * platform_twist_wy
+        t272 = limb1_U_0_cos * platform_twist_wy
         t273 = limb5_S_v_wz * platform_turn_zz  # platform
         platform_twist_wz = t273 + (limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy)
-        t278 = t272 - limb1_U_0_cos * platform_twist_wz
-        t279 = limb1_lower_sin * t278
-        t282 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy  # platform
-        platform_twist_wx = t282 + limb5_S_v_wz * platform_turn_xz
-        t285 = t279 + limb1_lower_cos * platform_twist_wx
+        t278 = t272 + limb1_U_0_sin * platform_twist_wz
+        t279 = limb1_U2_arm_x * t278
+        t280 = t278 * t279
+        t283 = limb1_U_0_sin * platform_twist_wy - limb1_U_0_cos * platform_twist_wz
+        t284 = limb1_lower_sin * t283
+        t287 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy  # platform
+        platform_twist_wx = t287 + limb5_S_v_wz * platform_turn_xz
+        t290 = t284 + limb1_lower_cos * platform_twist_wx
         minus_limb1_U2_arm_y = 0.8 * limb1_lower_cos
-        t288 = limb1_lower_cos * t278 - limb1_lower_sin * platform_twist_wx
-        t291 = minus_limb1_U2_arm_y * t288 - limb1_U2_arm_x * t285
-        t292 = t285 * t291
-        t295 = limb1_U_0_cos * platform_twist_wy + limb1_U_0_sin * platform_twist_wz
-        t296 = limb1_U2_arm_x * t295
-        minus_limb1_U2_opening_bias_fx = minus_limb1_upper_acc_still_x + (t292 - t295 * t296)
-        limb1_U2_opening_bias_fx = -minus_limb1_U2_opening_bias_fx
+        t293 = limb1_lower_cos * t283 - limb1_lower_sin * platform_twist_wx
+        t296 = minus_limb1_U2_arm_y * t293 - limb1_U2_arm_x * t290
+        limb1_U2_opening_bias_fx = t280 - t290 * t296 - minus_limb1_upper_acc_still_x
         limb1_upper_acc_still_y_2 = t37 + t36
-        t299 = minus_limb1_U2_arm_y * t295
-        limb1_U2_opening_bias_fy = limb1_upper_acc_still_y_2 - (t295 * t299 + t288 * t291)
-        limb1_U2_opening_bias_fz = t27 - t26 + (t288 * t296 + t285 * t299)
-        t306 = limb1_U_v_1 - t295
+        t299 = minus_limb1_U2_arm_y * t278
+        limb1_U2_opening_bias_fy = limb1_upper_acc_still_y_2 - (t278 * t299 + t293 * t296)
+        limb1_U2_opening_bias_fz = t27 - t26 + (t293 * t279 + t290 * t299)
+        t306 = limb1_U_v_1 - t278
         t307 = limb1_lower_omega_y * t306
-        t308 = limb1_lower_omega_y - t285
+        t308 = limb1_lower_omega_y - t290
         t312 = limb1_U2_constraint_mn_couple_x * (limb1_lower_alpha_still_x - (t307 - limb1_U_v_1 * t308))
         t313 = limb1_lower_omega_x * t308
-        t314 = limb1_lower_omega_x + t288
+        t314 = limb1_lower_omega_x + t293
         t318 = t312 - limb1_U2_constraint_mn_couple_z * (t313 - limb1_lower_omega_y * t314)
         limb1_U2_opening_mn = limb1_lower_sin * t133 + limb1_lower_cos * platform_turn_xy
         t324 = t314 * (limb1_U2_opening_mn * t314 + limb1_U2_constraint_mn_couple_z * t308)
         limb1_U2_opening_bias_mn = t318 - (t324 - t306 * (limb1_U2_constraint_mn_couple_x * t308 - limb1_U2_opening_mn * t306))
         # limb2: loop closure; reciprocal wrenches, eq. (10); accelerations
-        t332 = limb2_U_0_sin * platform_twist_wz + minus_limb2_U_0_cos * platform_twist_wx
-        t335 = limb2_lower_sin * t332 + limb2_lower_cos * platform_twist_wy
+        t332 = minus_limb2_U_0_cos * platform_twist_wz - limb2_U_0_sin * platform_twist_wx
+        t333 = limb2_S_arm_x * t332
+        t334 = t332 * t333
+        t337 = limb2_U_0_sin * platform_twist_wz + minus_limb2_U_0_cos * platform_twist_wx
+        t340 = limb2_lower_sin * t337 + limb2_lower_cos * platform_twist_wy
         minus_limb2_S_arm_y = 0.8 * limb2_lower_cos
-        t338 = limb2_lower_cos * t332 - limb2_lower_sin * platform_twist_wy
-        t341 = minus_limb2_S_arm_y * t338 - limb2_S_arm_x * t335
-        t342 = t335 * t341
-        t345 = minus_limb2_U_0_cos * platform_twist_wz - limb2_U_0_sin * platform_twist_wx
-        t346 = limb2_S_arm_x * t345
-        minus_limb2_S_opening_bias_fx = minus_limb2_upper_acc_still_x + (t342 - t345 * t346)
-        limb2_S_opening_bias_fx = -minus_limb2_S_opening_bias_fx
+        t343 = limb2_lower_cos * t337 - limb2_lower_sin * platform_twist_wy
+        t346 = minus_limb2_S_arm_y * t343 - limb2_S_arm_x * t340
+        limb2_S_opening_bias_fx = t334 - t340 * t346 - minus_limb2_upper_acc_still_x
         limb2_upper_acc_still_y_2 = t58 + t57
-        t349 = minus_limb2_S_arm_y * t345
-        limb2_S_opening_bias_fy = limb2_upper_acc_still_y_2 - (t345 * t349 + t338 * t341)
-        limb2_S_opening_bias_fz = t48 - t47 - (t338 * t346 + t335 * t349)
+        t349 = minus_limb2_S_arm_y * t332
+        limb2_S_opening_bias_fy = limb2_upper_acc_still_y_2 - (t332 * t349 + t343 * t346)
+        limb2_S_opening_bias_fz = t48 - t47 - (t343 * t333 + t340 * t349)
         # limb3: loop closure; reciprocal wrenches, eq. (10)
-        t358 = limb3_U_0_sin * platform_twist_wy - limb3_U_0_cos * platform_twist_wz
-        t361 = minus_limb3_lower_sin * t358 - limb3_lower_cos * platform_twist_wx
+        t358 = limb3_U_0_cos * platform_twist_wy + limb3_U_0_sin * platform_twist_wz
+        t359 = limb3_S_arm_x * t358
+        t360 = t358 * t359
+        t363 = limb3_U_0_sin * platform_twist_wy - limb3_U_0_cos * platform_twist_wz
+        t366 = minus_limb3_lower_sin * t363 - limb3_lower_cos * platform_twist_wx
         limb3_S_arm_y = 0.8 * limb3_lower_cos
-        t364 = limb3_lower_cos * t358 + minus_limb3_lower_sin * platform_twist_wx
-        t367 = limb3_S_arm_y * t364 - limb3_S_arm_x * t361
-        t368 = t361 * t367
-        t371 = limb3_U_0_cos * platform_twist_wy + limb3_U_0_sin * platform_twist_wz
-        t372 = limb3_S_arm_x * t371
-        minus_limb3_S_opening_bias_fx = minus_limb3_upper_acc_still_x + (t368 - t371 * t372)
-        limb3_S_opening_bias_fx = -minus_limb3_S_opening_bias_fx
-        t375 = limb3_S_arm_y * t371
-        limb3_S_opening_bias_fy = t371 * t375 + t364 * t367 - (t80 - t79)
-        limb3_S_opening_bias_fz = t364 * t372 + t361 * t375 - (t70 + t69)
+        t369 = limb3_lower_cos * t363 + minus_limb3_lower_sin * platform_twist_wx
+        t372 = limb3_S_arm_y * t369 - limb3_S_arm_x * t366
+        limb3_S_opening_bias_fx = t360 - t366 * t372 - minus_limb3_upper_acc_still_x
+        t375 = limb3_S_arm_y * t358
+        limb3_S_opening_bias_fy = t358 * t375 + t369 * t372 - (t80 - t79)
+        limb3_S_opening_bias_fz = t369 * t359 + t366 * t375 - (t70 + t69)
         # limb4: loop closure; reciprocal wrenches, eq. (10)
-        t384 = limb4_U_0_sin * platform_twist_wz + minus_limb4_U_0_cos * platform_twist_wx
-        t387 = minus_limb4_lower_sin * t384 - limb4_lower_cos * platform_twist_wy
+        t384 = minus_limb4_U_0_cos * platform_twist_wz - limb4_U_0_sin * platform_twist_wx
+        t385 = limb4_S_arm_x * t384
+        t386 = t384 * t385
+        t389 = limb4_U_0_sin * platform_twist_wz + minus_limb4_U_0_cos * platform_twist_wx
+        t392 = minus_limb4_lower_sin * t389 - limb4_lower_cos * platform_twist_wy
         limb4_S_arm_y = 0.8 * limb4_lower_cos
-        t390 = limb4_lower_cos * t384 + minus_limb4_lower_sin * platform_twist_wy
-        t393 = limb4_S_arm_y * t390 - limb4_S_arm_x * t387
-        t394 = t387 * t393
-        t397 = minus_limb4_U_0_cos * platform_twist_wz - limb4_U_0_sin * platform_twist_wx
-        t398 = limb4_S_arm_x * t397
-        minus_limb4_S_opening_bias_fx = minus_limb4_upper_acc_still_x + (t394 - t397 * t398)
-        limb4_S_opening_bias_fx = -minus_limb4_S_opening_bias_fx
-        t401 = limb4_S_arm_y * t397
-        limb4_S_opening_bias_fy = t397 * t401 + t390 * t393 - (t101 - t100)
-        minus_limb4_S_opening_bias_fz = t91 + t90 + (t390 * t398 + t387 * t401)
+        t395 = limb4_lower_cos * t389 + minus_limb4_lower_sin * platform_twist_wy
+        t398 = limb4_S_arm_y * t395 - limb4_S_arm_x * t392
+        limb4_S_opening_bias_fx = t386 - t392 * t398 - minus_limb4_upper_acc_still_x
+        t401 = limb4_S_arm_y * t384
+        limb4_S_opening_bias_fy = t384 * t401 + t395 * t398 - (t101 - t100)
+        minus_limb4_S_opening_bias_fz = t91 + t90 + (t395 * t385 + t392 * t401)
         limb4_S_opening_bias_fz = -minus_limb4_S_opening_bias_fz
         return _finish(batch, ((limb1_U_mass_matrix_0_by_limb1_U_0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
             0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, limb1_U_mass_matrix_1_by_limb1_U_1, 0.0,
@@ -8281,10 +8223,10 @@ def _forward_dynamics_dense(*arguments):
             t188, t191, closure_171, t200, closure_173, closure_174, closure_175, closure_176, t213,
             closure_178, closure_179, closure_180, closure_181, t230, t233, closure_184, t242,
             closure_186, closure_187, closure_188, closure_189, t255, closure_191, closure_192,
-            closure_193, closure_194, minus_limb1_U2_opening_bias_fx, limb1_U2_opening_bias_fy,
-            limb1_U2_opening_bias_fz, limb1_U2_opening_bias_mn, minus_limb2_S_opening_bias_fx,
-            limb2_S_opening_bias_fy, limb2_S_opening_bias_fz, minus_limb3_S_opening_bias_fx,
-            limb3_S_opening_bias_fy, limb3_S_opening_bias_fz, minus_limb4_S_opening_bias_fx,
+            closure_193, closure_194, limb1_U2_opening_bias_fx, limb1_U2_opening_bias_fy,
+            limb1_U2_opening_bias_fz, limb1_U2_opening_bias_mn, limb2_S_opening_bias_fx,
+            limb2_S_opening_bias_fy, limb2_S_opening_bias_fz, limb3_S_opening_bias_fx,
+            limb3_S_opening_bias_fy, limb3_S_opening_bias_fz, limb4_S_opening_bias_fx,
             limb4_S_opening_bias_fy, minus_limb4_S_opening_bias_fz), ((t115, 0.999999, 1.000001,
             5),))
 
@@ -8347,7 +8289,7 @@ def forward_dynamics_independent(*arguments):
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
       5 no rotation: the length of a quaternion differs from 1 by more than rounding; all outputs are
         NaN
-    Operations: 882 (add 313, mul 526, div 8, trig 16, compare 19)
+    Operations: 880 (add 311, mul 526, div 8, trig 16, compare 19)
     """
     entries, batch = _entries("forward_dynamics_independent", {"q": 16, "y_dot": 2, "u": 4}, arguments)
     (
@@ -8824,14 +8766,12 @@ def forward_dynamics_independent(*arguments):
         t640 = platform_turn_zz * t619 + (platform_turn_zy * t625 + platform_turn_zx * t631)
         t641 = t47 * t640
         t646 = platform_turn_yz * t619 + (platform_turn_yy * t625 + platform_turn_yx * t631)
-        t651 = 0.5 * (t84 - (t635 - (t641 - t43 * t646)))
-        limb5_S_y_ddot_qx = -t651
-        t652 = minus_limb5_S_joint_rate_wx * t74
-        t657 = t47 * limb5_S_joint_rate_wz - t43 * limb5_S_joint_rate_wy + t40 * minus_limb5_S_joint_rate_wx
-        t662 = t652 + limb5_S_joint_rate_wz * (0.5 * t657) + limb5_S_joint_rate_wy * t82
-        t668 = t662 - (t40 * t646 - (t43 * t634 - t52 * t640))
-        t669 = 0.5 * t668
-        limb5_S_y_ddot_qy = -t669
+        limb5_S_y_ddot_qx = (-0.5) * (t84 - (t635 - (t641 - t43 * t646)))
+        t651 = minus_limb5_S_joint_rate_wx * t74
+        t656 = t47 * limb5_S_joint_rate_wz - t43 * limb5_S_joint_rate_wy + t40 * minus_limb5_S_joint_rate_wx
+        t661 = t651 + limb5_S_joint_rate_wz * (0.5 * t656) + limb5_S_joint_rate_wy * t82
+        t667 = t661 - (t40 * t646 - (t43 * t634 - t52 * t640))
+        limb5_S_y_ddot_qy = (-0.5) * t667
         return _finish(batch, ((limb5_S_y_ddot_qx, limb5_S_y_ddot_qy),),
             ((minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-10),
             (minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-10),
@@ -8842,7 +8782,7 @@ def forward_dynamics_independent(*arguments):
             (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, minus_limb5_S_pivot_wz, a_pivot,
             minus_limb3_U_0_lever_mz_by_limb3_S_fz, minus_limb2_U_0_lever_mz_by_limb2_S_fz,
             minus_limb4_U_0_lever_mz_by_limb4_S_fz, limb5_S_reduced_inertia_wy_by_limb5_S_wy,
-            pivot_1, t651, t669), ((t8, 0.999999, 1.000001, 5),))
+            pivot_1, limb5_S_y_ddot_qx, limb5_S_y_ddot_qy), ((t8, 0.999999, 1.000001, 5),))
 
 
 def _forward_dynamics_reactions_first(*arguments):
@@ -9502,10 +9442,9 @@ def _forward_dynamics_reactions_first(*arguments):
         minus_limb1_lower_joint_sent_my = t746 + limb1_lower_sin * minus_limb1_lower_sent_mx
         limb1_lower_joint_sent_my = -minus_limb1_lower_joint_sent_my
         # limb1: reactions, eq. (32); balance, eqs. (40)-(47); geometry
-        t753 = 0.8 * minus_limb1_U_0_joint_sent_fy
+        t753 = (-0.8) * minus_limb1_U_0_joint_sent_fy
         limb1_lower_joint_sent_mx = limb1_lower_sin * minus_limb1_lower_sent_my - limb1_lower_cos * minus_limb1_lower_sent_mx
-        minus_limb1_U_reaction_my = t753 + limb1_U_0_sin * limb1_lower_joint_sent_mx
-        limb1_U_reaction_my = -minus_limb1_U_reaction_my
+        limb1_U_reaction_my = t753 - limb1_U_0_sin * limb1_lower_joint_sent_mx
         limb1_U_reaction_mz = limb1_U_0_cos * limb1_lower_joint_sent_mx - 0.8 * limb1_U_0_joint_sent_fx
         minus_limb1_P_reaction_fx = limb1_lower_cos * minus_limb1_upper_sent_fy
         limb1_P_reaction_fx = -minus_limb1_P_reaction_fx
@@ -9524,21 +9463,19 @@ def _forward_dynamics_reactions_first(*arguments):
         minus_limb1_upper_position_y = limb1_upper_offset_x * minus_limb1_lower_rotation_yx
         t765 = t763 + minus_limb1_upper_position_y * minus_limb1_P_reaction_fz
         limb1_P_reaction_mx = t765 - (limb1_lower_cos * minus_limb1_upper_rate_my_2 + limb1_lower_sin * minus_limb1_upper_sent_mx)
-        t769 = minus_limb1_upper_position_x * minus_limb1_P_reaction_fz
-        t771 = t769 + limb1_upper_position_z * minus_limb1_P_reaction_fx
+        t769 = minus_limb1_lower_rotation_yx * minus_limb1_upper_sent_mx
+        t771 = t769 - limb1_lower_rotation_yy * minus_limb1_upper_rate_my_2
         minus_limb1_U2_joint_reaction_mz = limb1_U2_constraint_mn_couple_z * limb1_U2_multiplier_mn
         t775 = minus_limb1_upper_rate_mz - (1.13635 * limb1_lower_U_still_xy - 1.17195 * minus_limb1_U_joint_acc_1)
         minus_limb1_upper_sent_mz = minus_limb1_U2_joint_reaction_mz + t775
-        t776 = limb1_U_0_cos * minus_limb1_upper_sent_mz
-        t777 = limb1_lower_rotation_yy * minus_limb1_upper_rate_my_2
-        minus_limb1_P_reaction_my = t771 + (t776 + (t777 - minus_limb1_lower_rotation_yx * minus_limb1_upper_sent_mx))
-        limb1_P_reaction_my = -minus_limb1_P_reaction_my
-        t781 = minus_limb1_upper_position_y * minus_limb1_P_reaction_fx
-        t783 = t781 - minus_limb1_upper_position_x * minus_limb1_P_reaction_fy
+        t777 = t771 - limb1_U_0_cos * minus_limb1_upper_sent_mz
+        t778 = minus_limb1_upper_position_x * minus_limb1_P_reaction_fz
+        limb1_P_reaction_my = t777 - (t778 + limb1_upper_position_z * minus_limb1_P_reaction_fx)
+        t781 = minus_limb1_upper_position_x * minus_limb1_P_reaction_fy
+        t783 = t781 - minus_limb1_upper_position_y * minus_limb1_P_reaction_fx
         t784 = limb1_U_0_sin * minus_limb1_upper_sent_mz
         t785 = minus_limb1_lower_rotation_zy * minus_limb1_upper_rate_my_2
-        minus_limb1_P_reaction_mz = t783 + (t784 - (t785 - limb1_lower_rotation_zx * minus_limb1_upper_sent_mx))
-        limb1_P_reaction_mz = -minus_limb1_P_reaction_mz
+        limb1_P_reaction_mz = t783 - (t784 - (t785 - limb1_lower_rotation_zx * minus_limb1_upper_sent_mx))
         t789 = limb1_lower_cos * minus_limb1_U2_multiplier_fy
         minus_limb1_U2_multiplier_fx = limb1_P_u - limb1_upper_rate_fx
         limb1_U2_reaction_fx = t789 + limb1_lower_sin * minus_limb1_U2_multiplier_fx
@@ -9596,16 +9533,15 @@ def _forward_dynamics_reactions_first(*arguments):
         t843 = minus_limb2_U_0_cos * minus_limb2_upper_sent_fz
         limb2_lower_rotation_zy = limb2_U_0_sin * limb2_lower_sin
         limb2_P_reaction_fz = t843 - limb2_lower_rotation_zy * minus_limb2_upper_sent_fy
+        minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos
+        t845 = minus_limb2_lower_rotation_xx * minus_limb2_upper_rate_mx
+        t847 = t845 - limb2_lower_rotation_xy * minus_limb2_upper_rate_my_2
+        minus_limb2_upper_rate_mz_2 = minus_limb2_upper_rate_mz - (1.13635 * limb2_lower_U_still_xy - 1.17195 * minus_limb2_U_joint_acc_1)
+        t852 = t847 - limb2_U_0_sin * minus_limb2_upper_rate_mz_2
         minus_limb2_lower_rotation_zx = limb2_U_0_sin * limb2_lower_cos
         minus_limb2_upper_position_z = limb2_upper_offset_x * minus_limb2_lower_rotation_zx
-        t845 = minus_limb2_upper_position_z * minus_limb2_P_reaction_fy
-        t847 = t845 + minus_limb2_upper_position_y * limb2_P_reaction_fz
-        minus_limb2_upper_rate_mz_2 = minus_limb2_upper_rate_mz - (1.13635 * limb2_lower_U_still_xy - 1.17195 * minus_limb2_U_joint_acc_1)
-        t851 = limb2_U_0_sin * minus_limb2_upper_rate_mz_2
-        t852 = limb2_lower_rotation_xy * minus_limb2_upper_rate_my_2
-        minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos
-        minus_limb2_P_reaction_mx = t847 + (t851 + (t852 - minus_limb2_lower_rotation_xx * minus_limb2_upper_rate_mx))
-        limb2_P_reaction_mx = -minus_limb2_P_reaction_mx
+        t853 = minus_limb2_upper_position_z * minus_limb2_P_reaction_fy
+        limb2_P_reaction_mx = t852 - (t853 + minus_limb2_upper_position_y * limb2_P_reaction_fz)
         minus_limb2_upper_position_x = limb2_upper_offset_x * minus_limb2_lower_rotation_xx
         t856 = minus_limb2_upper_position_x * limb2_P_reaction_fz
         t858 = t856 + minus_limb2_upper_position_z * minus_limb2_P_reaction_fx
@@ -9665,21 +9601,19 @@ def _forward_dynamics_reactions_first(*arguments):
         t914 = limb3_U_0_sin * limb3_upper_sent_fz
         limb3_lower_rotation_zy = limb3_U_0_cos * minus_limb3_lower_sin
         limb3_P_reaction_fz = t914 + limb3_lower_rotation_zy * limb3_upper_sent_fy
+        t916 = minus_limb3_lower_sin * minus_limb3_upper_rate_mx
+        t918 = t916 - limb3_lower_cos * minus_limb3_upper_rate_my_2
         limb3_lower_rotation_zx = limb3_U_0_cos * limb3_lower_cos
         limb3_upper_position_z = limb3_upper_offset_x * limb3_lower_rotation_zx
-        t916 = limb3_upper_position_z * limb3_P_reaction_fy
+        t919 = limb3_upper_position_z * limb3_P_reaction_fy
         minus_limb3_lower_rotation_yx = limb3_U_0_sin * limb3_lower_cos
         minus_limb3_upper_position_y = limb3_upper_offset_x * minus_limb3_lower_rotation_yx
-        t918 = t916 + minus_limb3_upper_position_y * limb3_P_reaction_fz
-        t919 = limb3_lower_cos * minus_limb3_upper_rate_my_2
-        minus_limb3_P_reaction_mx = t918 + (t919 - minus_limb3_lower_sin * minus_limb3_upper_rate_mx)
-        limb3_P_reaction_mx = -minus_limb3_P_reaction_mx
-        t924 = limb3_upper_position_x * limb3_P_reaction_fz - limb3_upper_position_z * limb3_P_reaction_fx
+        limb3_P_reaction_mx = t918 - (t919 + minus_limb3_upper_position_y * limb3_P_reaction_fz)
+        t924 = limb3_upper_position_z * limb3_P_reaction_fx - limb3_upper_position_x * limb3_P_reaction_fz
         minus_limb3_upper_rate_mz_2 = minus_limb3_upper_rate_mz + (1.13635 * minus_limb3_lower_U_still_xy + 1.17195 * minus_limb3_U_joint_acc_1)
         t928 = limb3_U_0_cos * minus_limb3_upper_rate_mz_2
         t929 = minus_limb3_lower_rotation_yy * minus_limb3_upper_rate_my_2
-        minus_limb3_P_reaction_my = t924 + (t928 - (t929 + minus_limb3_lower_rotation_yx * minus_limb3_upper_rate_mx))
-        limb3_P_reaction_my = -minus_limb3_P_reaction_my
+        limb3_P_reaction_my = t924 - (t928 - (t929 + minus_limb3_lower_rotation_yx * minus_limb3_upper_rate_mx))
         t933 = minus_limb3_upper_position_y * limb3_P_reaction_fx
         t935 = t933 + limb3_upper_position_x * limb3_P_reaction_fy
         t936 = limb3_U_0_sin * minus_limb3_upper_rate_mz_2
@@ -9727,8 +9661,7 @@ def _forward_dynamics_reactions_first(*arguments):
         # limb4: reactions, eq. (32); balance, eqs. (40)-(47); geometry
         limb4_U_reaction_mx = t967 - minus_limb4_U_0_cos * limb4_lower_joint_sent_mx
         limb4_lower_joint_sent_my = limb4_lower_cos * limb4_lower_sent_my + minus_limb4_lower_sin * minus_limb4_lower_sent_mx
-        minus_limb4_U_reaction_mz = 0.8 * limb4_U_0_joint_sent_fy + limb4_U_0_sin * limb4_lower_joint_sent_mx
-        limb4_U_reaction_mz = -minus_limb4_U_reaction_mz
+        limb4_U_reaction_mz = (-0.8) * limb4_U_0_joint_sent_fy - limb4_U_0_sin * limb4_lower_joint_sent_mx
         t983 = limb4_U_0_sin * limb4_upper_sent_fz
         minus_limb4_lower_rotation_xy = minus_limb4_U_0_cos * minus_limb4_lower_sin
         limb4_P_reaction_fx = t983 - minus_limb4_lower_rotation_xy * limb4_upper_sent_fy
@@ -9746,12 +9679,11 @@ def _forward_dynamics_reactions_first(*arguments):
         t994 = minus_limb4_lower_rotation_xy * minus_limb4_upper_rate_my_2
         minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos
         limb4_P_reaction_mx = t989 - (t993 - (t994 + minus_limb4_lower_rotation_xx * minus_limb4_upper_rate_mx))
+        t998 = minus_limb4_lower_sin * minus_limb4_upper_rate_mx
+        t1000 = t998 - limb4_lower_cos * minus_limb4_upper_rate_my_2
         minus_limb4_upper_position_x = limb4_upper_offset_x * minus_limb4_lower_rotation_xx
-        t998 = minus_limb4_upper_position_x * minus_limb4_P_reaction_fz
-        t1000 = t998 + minus_limb4_upper_position_z * limb4_P_reaction_fx
-        t1001 = limb4_lower_cos * minus_limb4_upper_rate_my_2
-        minus_limb4_P_reaction_my = t1000 + (t1001 - minus_limb4_lower_sin * minus_limb4_upper_rate_mx)
-        limb4_P_reaction_my = -minus_limb4_P_reaction_my
+        t1001 = minus_limb4_upper_position_x * minus_limb4_P_reaction_fz
+        limb4_P_reaction_my = t1000 - (t1001 + minus_limb4_upper_position_z * limb4_P_reaction_fx)
         t1004 = minus_limb4_U_0_cos * minus_limb4_upper_rate_mz_2
         t1005 = minus_limb4_lower_rotation_zy * minus_limb4_upper_rate_my_2
         t1008 = t1004 + (t1005 + minus_limb4_lower_rotation_zx * minus_limb4_upper_rate_mx)
@@ -9838,18 +9770,17 @@ def _forward_dynamics_reactions_first(*arguments):
             minus_limb1_U_0_lever_mz_by_limb1_U2_fz, minus_limb5_S_pivot_wz,
             limb5_S_reduced_inertia_wy_by_limb5_S_wy, pivot_1,
             platform_joint_force_mz_by_limb1_U2_mn, minus_limb1_lower_joint_sent_fy,
-            minus_limb1_lower_joint_sent_my, minus_limb1_U_reaction_my, limb1_U_reaction_mz,
-            limb1_P_reaction_mx, minus_limb1_P_reaction_my, minus_limb1_P_reaction_mz,
+            minus_limb1_lower_joint_sent_my, limb1_U_reaction_my, limb1_U_reaction_mz,
+            limb1_P_reaction_mx, limb1_P_reaction_my, limb1_P_reaction_mz,
             minus_limb1_U2_reaction_mx, limb1_U2_reaction_my, limb1_U2_reaction_mz,
             minus_limb2_lower_joint_sent_fy, limb2_U_reaction_mx, limb2_lower_joint_sent_my,
-            limb2_U_reaction_mz, minus_limb2_P_reaction_mx, limb2_P_reaction_my,
-            limb2_P_reaction_mz, limb2_S_reaction_mx, limb2_S_reaction_my,
-            minus_limb2_S_reaction_mz, limb3_lower_joint_sent_fy, limb3_lower_joint_sent_my,
-            limb3_U_reaction_my, limb3_U_reaction_mz, minus_limb3_P_reaction_mx,
-            minus_limb3_P_reaction_my, limb3_P_reaction_mz, minus_limb3_S_reaction_mx,
-            minus_limb3_S_reaction_my, limb3_S_reaction_mz, limb4_lower_joint_sent_fy,
-            limb4_U_reaction_mx, limb4_lower_joint_sent_my, minus_limb4_U_reaction_mz,
-            limb4_P_reaction_mx, minus_limb4_P_reaction_my, limb4_P_reaction_mz,
+            limb2_U_reaction_mz, limb2_P_reaction_mx, limb2_P_reaction_my, limb2_P_reaction_mz,
+            limb2_S_reaction_mx, limb2_S_reaction_my, minus_limb2_S_reaction_mz,
+            limb3_lower_joint_sent_fy, limb3_lower_joint_sent_my, limb3_U_reaction_my,
+            limb3_U_reaction_mz, limb3_P_reaction_mx, limb3_P_reaction_my, limb3_P_reaction_mz,
+            minus_limb3_S_reaction_mx, minus_limb3_S_reaction_my, limb3_S_reaction_mz,
+            limb4_lower_joint_sent_fy, limb4_U_reaction_mx, limb4_lower_joint_sent_my,
+            limb4_U_reaction_mz, limb4_P_reaction_mx, limb4_P_reaction_my, limb4_P_reaction_mz,
             limb4_S_reaction_mx, limb4_S_reaction_my, limb4_S_reaction_mz, platform_joint_sent_fx,
             platform_joint_sent_fy, platform_joint_sent_fz), ((t7, 0.999999, 1.000001, 5),))
 
@@ -10196,79 +10127,75 @@ def _forward_dynamics_reactions_dense(*arguments):
         t270 = limb5_S_v_wy * platform_turn_yy + limb5_S_v_wx * platform_turn_yx
         platform_twist_wy = t270 + limb5_S_v_wz * platform_turn_yz
         # limb1: loop closure; reciprocal wrenches, eq. (10); accelerations
-        t272 = limb1_U_0_sin * platform_twist_wy
+        t272 = limb1_U_0_cos * platform_twist_wy
         t273 = limb5_S_v_wz * platform_turn_zz  # platform
         platform_twist_wz = t273 + (limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy)
-        t278 = t272 - limb1_U_0_cos * platform_twist_wz
-        t279 = limb1_lower_sin * t278
-        t282 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy  # platform
-        platform_twist_wx = t282 + limb5_S_v_wz * platform_turn_xz
-        t285 = t279 + limb1_lower_cos * platform_twist_wx
+        t278 = t272 + limb1_U_0_sin * platform_twist_wz
+        t279 = limb1_U2_arm_x * t278
+        t280 = t278 * t279
+        t283 = limb1_U_0_sin * platform_twist_wy - limb1_U_0_cos * platform_twist_wz
+        t284 = limb1_lower_sin * t283
+        t287 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy  # platform
+        platform_twist_wx = t287 + limb5_S_v_wz * platform_turn_xz
+        t290 = t284 + limb1_lower_cos * platform_twist_wx
         minus_limb1_U2_arm_y = 0.8 * limb1_lower_cos
-        t288 = limb1_lower_cos * t278 - limb1_lower_sin * platform_twist_wx
-        t291 = minus_limb1_U2_arm_y * t288 - limb1_U2_arm_x * t285
-        t292 = t285 * t291
-        t295 = limb1_U_0_cos * platform_twist_wy + limb1_U_0_sin * platform_twist_wz
-        t296 = limb1_U2_arm_x * t295
-        minus_limb1_U2_opening_bias_fx = minus_limb1_upper_acc_still_x + (t292 - t295 * t296)
-        limb1_U2_opening_bias_fx = -minus_limb1_U2_opening_bias_fx
+        t293 = limb1_lower_cos * t283 - limb1_lower_sin * platform_twist_wx
+        t296 = minus_limb1_U2_arm_y * t293 - limb1_U2_arm_x * t290
+        limb1_U2_opening_bias_fx = t280 - t290 * t296 - minus_limb1_upper_acc_still_x
         limb1_upper_acc_still_y_2 = t37 + t36
-        t299 = minus_limb1_U2_arm_y * t295
-        limb1_U2_opening_bias_fy = limb1_upper_acc_still_y_2 - (t295 * t299 + t288 * t291)
-        limb1_U2_opening_bias_fz = t27 - t26 + (t288 * t296 + t285 * t299)
-        t306 = limb1_U_v_1 - t295
+        t299 = minus_limb1_U2_arm_y * t278
+        limb1_U2_opening_bias_fy = limb1_upper_acc_still_y_2 - (t278 * t299 + t293 * t296)
+        limb1_U2_opening_bias_fz = t27 - t26 + (t293 * t279 + t290 * t299)
+        t306 = limb1_U_v_1 - t278
         t307 = limb1_lower_omega_y * t306
-        t308 = limb1_lower_omega_y - t285
+        t308 = limb1_lower_omega_y - t290
         t312 = limb1_U2_constraint_mn_couple_x * (limb1_lower_alpha_still_x - (t307 - limb1_U_v_1 * t308))
         t313 = limb1_lower_omega_x * t308
-        t314 = limb1_lower_omega_x + t288
+        t314 = limb1_lower_omega_x + t293
         t318 = t312 - limb1_U2_constraint_mn_couple_z * (t313 - limb1_lower_omega_y * t314)
         limb1_U2_opening_mn = limb1_lower_sin * t133 + limb1_lower_cos * platform_turn_xy
         t324 = t314 * (limb1_U2_opening_mn * t314 + limb1_U2_constraint_mn_couple_z * t308)
         limb1_U2_opening_bias_mn = t318 - (t324 - t306 * (limb1_U2_constraint_mn_couple_x * t308 - limb1_U2_opening_mn * t306))
         # limb2: loop closure; reciprocal wrenches, eq. (10); accelerations
-        t332 = limb2_U_0_sin * platform_twist_wz + minus_limb2_U_0_cos * platform_twist_wx
-        t335 = limb2_lower_sin * t332 + limb2_lower_cos * platform_twist_wy
+        t332 = minus_limb2_U_0_cos * platform_twist_wz - limb2_U_0_sin * platform_twist_wx
+        t333 = limb2_S_arm_x * t332
+        t334 = t332 * t333
+        t337 = limb2_U_0_sin * platform_twist_wz + minus_limb2_U_0_cos * platform_twist_wx
+        t340 = limb2_lower_sin * t337 + limb2_lower_cos * platform_twist_wy
         minus_limb2_S_arm_y = 0.8 * limb2_lower_cos
-        t338 = limb2_lower_cos * t332 - limb2_lower_sin * platform_twist_wy
-        t341 = minus_limb2_S_arm_y * t338 - limb2_S_arm_x * t335
-        t342 = t335 * t341
-        t345 = minus_limb2_U_0_cos * platform_twist_wz - limb2_U_0_sin * platform_twist_wx
-        t346 = limb2_S_arm_x * t345
-        minus_limb2_S_opening_bias_fx = minus_limb2_upper_acc_still_x + (t342 - t345 * t346)
-        limb2_S_opening_bias_fx = -minus_limb2_S_opening_bias_fx
+        t343 = limb2_lower_cos * t337 - limb2_lower_sin * platform_twist_wy
+        t346 = minus_limb2_S_arm_y * t343 - limb2_S_arm_x * t340
+        limb2_S_opening_bias_fx = t334 - t340 * t346 - minus_limb2_upper_acc_still_x
         limb2_upper_acc_still_y_2 = t58 + t57
-        t349 = minus_limb2_S_arm_y * t345
-        limb2_S_opening_bias_fy = limb2_upper_acc_still_y_2 - (t345 * t349 + t338 * t341)
-        limb2_S_opening_bias_fz = t48 - t47 - (t338 * t346 + t335 * t349)
+        t349 = minus_limb2_S_arm_y * t332
+        limb2_S_opening_bias_fy = limb2_upper_acc_still_y_2 - (t332 * t349 + t343 * t346)
+        limb2_S_opening_bias_fz = t48 - t47 - (t343 * t333 + t340 * t349)
         # limb3: loop closure; reciprocal wrenches, eq. (10)
-        t358 = limb3_U_0_sin * platform_twist_wy - limb3_U_0_cos * platform_twist_wz
-        t361 = minus_limb3_lower_sin * t358 - limb3_lower_cos * platform_twist_wx
+        t358 = limb3_U_0_cos * platform_twist_wy + limb3_U_0_sin * platform_twist_wz
+        t359 = limb3_S_arm_x * t358
+        t360 = t358 * t359
+        t363 = limb3_U_0_sin * platform_twist_wy - limb3_U_0_cos * platform_twist_wz
+        t366 = minus_limb3_lower_sin * t363 - limb3_lower_cos * platform_twist_wx
         limb3_S_arm_y = 0.8 * limb3_lower_cos
-        t364 = limb3_lower_cos * t358 + minus_limb3_lower_sin * platform_twist_wx
-        t367 = limb3_S_arm_y * t364 - limb3_S_arm_x * t361
-        t368 = t361 * t367
-        t371 = limb3_U_0_cos * platform_twist_wy + limb3_U_0_sin * platform_twist_wz
-        t372 = limb3_S_arm_x * t371
-        minus_limb3_S_opening_bias_fx = minus_limb3_upper_acc_still_x + (t368 - t371 * t372)
-        limb3_S_opening_bias_fx = -minus_limb3_S_opening_bias_fx
-        t375 = limb3_S_arm_y * t371
-        limb3_S_opening_bias_fy = t371 * t375 + t364 * t367 - (t80 - t79)
-        limb3_S_opening_bias_fz = t364 * t372 + t361 * t375 - (t70 + t69)
+        t369 = limb3_lower_cos * t363 + minus_limb3_lower_sin * platform_twist_wx
+        t372 = limb3_S_arm_y * t369 - limb3_S_arm_x * t366
+        limb3_S_opening_bias_fx = t360 - t366 * t372 - minus_limb3_upper_acc_still_x
+        t375 = limb3_S_arm_y * t358
+        limb3_S_opening_bias_fy = t358 * t375 + t369 * t372 - (t80 - t79)
+        limb3_S_opening_bias_fz = t369 * t359 + t366 * t375 - (t70 + t69)
         # limb4: loop closure; reciprocal wrenches, eq. (10)
-        t384 = limb4_U_0_sin * platform_twist_wz + minus_limb4_U_0_cos * platform_twist_wx
-        t387 = minus_limb4_lower_sin * t384 - limb4_lower_cos * platform_twist_wy
+        t384 = minus_limb4_U_0_cos * platform_twist_wz - limb4_U_0_sin * platform_twist_wx
+        t385 = limb4_S_arm_x * t384
+        t386 = t384 * t385
+        t389 = limb4_U_0_sin * platform_twist_wz + minus_limb4_U_0_cos * platform_twist_wx
+        t392 = minus_limb4_lower_sin * t389 - limb4_lower_cos * platform_twist_wy
         limb4_S_arm_y = 0.8 * limb4_lower_cos
-        t390 = limb4_lower_cos * t384 + minus_limb4_lower_sin * platform_twist_wy
-        t393 = limb4_S_arm_y * t390 - limb4_S_arm_x * t387
-        t394 = t387 * t393
-        t397 = minus_limb4_U_0_cos * platform_twist_wz - limb4_U_0_sin * platform_twist_wx
-        t398 = limb4_S_arm_x * t397
-        minus_limb4_S_opening_bias_fx = minus_limb4_upper_acc_still_x + (t394 - t397 * t398)
-        limb4_S_opening_bias_fx = -minus_limb4_S_opening_bias_fx
-        t401 = limb4_S_arm_y * t397
-        limb4_S_opening_bias_fy = t397 * t401 + t390 * t393 - (t101 - t100)
-        minus_limb4_S_opening_bias_fz = t91 + t90 + (t390 * t398 + t387 * t401)
+        t395 = limb4_lower_cos * t389 + minus_limb4_lower_sin * platform_twist_wy
+        t398 = limb4_S_arm_y * t395 - limb4_S_arm_x * t392
+        limb4_S_opening_bias_fx = t386 - t392 * t398 - minus_limb4_upper_acc_still_x
+        t401 = limb4_S_arm_y * t384
+        limb4_S_opening_bias_fy = t384 * t401 + t395 * t398 - (t101 - t100)
+        minus_limb4_S_opening_bias_fz = t91 + t90 + (t395 * t385 + t392 * t401)
         limb4_S_opening_bias_fz = -minus_limb4_S_opening_bias_fz
         return _finish(batch, ((limb1_U_mass_matrix_0_by_limb1_U_0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
             0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, limb1_U_mass_matrix_1_by_limb1_U_1, 0.0,
@@ -10328,10 +10255,10 @@ def _forward_dynamics_reactions_dense(*arguments):
             t188, t191, closure_171, t200, closure_173, closure_174, closure_175, closure_176, t213,
             closure_178, closure_179, closure_180, closure_181, t230, t233, closure_184, t242,
             closure_186, closure_187, closure_188, closure_189, t255, closure_191, closure_192,
-            closure_193, closure_194, minus_limb1_U2_opening_bias_fx, limb1_U2_opening_bias_fy,
-            limb1_U2_opening_bias_fz, limb1_U2_opening_bias_mn, minus_limb2_S_opening_bias_fx,
-            limb2_S_opening_bias_fy, limb2_S_opening_bias_fz, minus_limb3_S_opening_bias_fx,
-            limb3_S_opening_bias_fy, limb3_S_opening_bias_fz, minus_limb4_S_opening_bias_fx,
+            closure_193, closure_194, limb1_U2_opening_bias_fx, limb1_U2_opening_bias_fy,
+            limb1_U2_opening_bias_fz, limb1_U2_opening_bias_mn, limb2_S_opening_bias_fx,
+            limb2_S_opening_bias_fy, limb2_S_opening_bias_fz, limb3_S_opening_bias_fx,
+            limb3_S_opening_bias_fy, limb3_S_opening_bias_fz, limb4_S_opening_bias_fx,
             limb4_S_opening_bias_fy, minus_limb4_S_opening_bias_fz), ((t115, 0.999999, 1.000001,
             5),))
 
@@ -10530,43 +10457,41 @@ def _forward_dynamics_reactions_wrenches(*arguments):
         limb2_P_reactions_fy = limb2_lower_cos * limb2_upper_sent_fy
         limb2_lower_rotation_zy = limb2_U_0_sin * limb2_lower_sin
         limb2_P_reactions_fz = limb2_lower_rotation_zy * limb2_upper_sent_fy + minus_limb2_U_0_cos * minus_limb2_upper_sent_fz
-        minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos
-        # limb2: reactions, eq. (32); momentum rate, eq. (35); geometry
-        t161 = minus_limb2_lower_rotation_xx * limb2_upper_rate_mx
-        t163 = t161 + limb2_lower_rotation_xy * minus_limb2_upper_rate_my_2
-        minus_limb2_upper_rate_mz_2 = 0.213 * limb2_upper_acc_y - (1.17195 * limb2_U_a_1 + 1.13635 * limb2_lower_U_still_xy)
-        t168 = t163 + limb2_U_0_sin * minus_limb2_upper_rate_mz_2
-        minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
-        t169 = minus_limb2_upper_position_y * limb2_P_reactions_fz
         minus_limb2_lower_rotation_zx = limb2_U_0_sin * limb2_lower_cos
         minus_limb2_upper_position_z = limb2_upper_offset_x * minus_limb2_lower_rotation_zx
-        t172 = t168 + (t169 - minus_limb2_upper_position_z * limb2_P_reactions_fy)
-        limb2_P_reactions_mx = -t172
-        t175 = limb2_lower_sin * limb2_upper_rate_mx - limb2_lower_cos * minus_limb2_upper_rate_my_2
-        t176 = minus_limb2_upper_position_z * limb2_P_reactions_fx
+        # limb2: reactions, eq. (32); geometry; momentum rate, eq. (35)
+        t161 = minus_limb2_upper_position_z * limb2_P_reactions_fy
+        minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
+        t163 = t161 - minus_limb2_upper_position_y * limb2_P_reactions_fz
+        minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos
+        t164 = minus_limb2_lower_rotation_xx * limb2_upper_rate_mx
+        t166 = t164 + limb2_lower_rotation_xy * minus_limb2_upper_rate_my_2
+        minus_limb2_upper_rate_mz_2 = 0.213 * limb2_upper_acc_y - (1.17195 * limb2_U_a_1 + 1.13635 * limb2_lower_U_still_xy)
+        limb2_P_reactions_mx = t163 - (t166 + limb2_U_0_sin * minus_limb2_upper_rate_mz_2)
+        t174 = limb2_lower_sin * limb2_upper_rate_mx - limb2_lower_cos * minus_limb2_upper_rate_my_2
+        t175 = minus_limb2_upper_position_z * limb2_P_reactions_fx
         minus_limb2_upper_position_x = limb2_upper_offset_x * minus_limb2_lower_rotation_xx
-        limb2_P_reactions_my = t175 - (t176 - minus_limb2_upper_position_x * limb2_P_reactions_fz)
+        limb2_P_reactions_my = t174 - (t175 - minus_limb2_upper_position_x * limb2_P_reactions_fz)
+        t178 = minus_limb2_U_0_cos * minus_limb2_upper_rate_mz_2
         t179 = minus_limb2_lower_rotation_zx * limb2_upper_rate_mx
-        t181 = t179 + limb2_lower_rotation_zy * minus_limb2_upper_rate_my_2
-        t183 = t181 - minus_limb2_U_0_cos * minus_limb2_upper_rate_mz_2
-        t184 = minus_limb2_upper_position_x * limb2_P_reactions_fy
-        t187 = t183 + (t184 - minus_limb2_upper_position_y * limb2_P_reactions_fx)
-        limb2_P_reactions_mz = -t187
-        t188 = limb2_U_0_sin * multipliers_6
-        t192 = t188 - (minus_limb2_lower_rotation_xx * multipliers_4 - limb2_lower_rotation_xy * multipliers_5)
-        limb2_S_reactions_fx = -t192
-        t195 = limb2_lower_sin * multipliers_4 + limb2_lower_cos * multipliers_5
-        limb2_S_reactions_fy = -t195
-        t196 = minus_limb2_U_0_cos * multipliers_6
-        limb2_S_reactions_fz = t196 + (minus_limb2_lower_rotation_zx * multipliers_4 - limb2_lower_rotation_zy * multipliers_5)
-        t202 = minus_limb2_upper_position_y * limb2_S_reactions_fz + minus_limb2_upper_position_z * t195
-        limb2_S_reactions_mx = -t202
-        limb2_S_reactions_my = minus_limb2_upper_position_z * t192 + minus_limb2_upper_position_x * limb2_S_reactions_fz
-        limb2_S_reactions_mz = minus_limb2_upper_position_x * t195 - minus_limb2_upper_position_y * t192
+        t182 = t178 - (t179 + limb2_lower_rotation_zy * minus_limb2_upper_rate_my_2)
+        t183 = minus_limb2_upper_position_x * limb2_P_reactions_fy
+        limb2_P_reactions_mz = t182 - (t183 - minus_limb2_upper_position_y * limb2_P_reactions_fx)
+        t186 = limb2_U_0_sin * multipliers_6
+        t190 = t186 - (minus_limb2_lower_rotation_xx * multipliers_4 - limb2_lower_rotation_xy * multipliers_5)
+        limb2_S_reactions_fx = -t190
+        t193 = limb2_lower_sin * multipliers_4 + limb2_lower_cos * multipliers_5
+        limb2_S_reactions_fy = -t193
+        t194 = minus_limb2_U_0_cos * multipliers_6
+        limb2_S_reactions_fz = t194 + (minus_limb2_lower_rotation_zx * multipliers_4 - limb2_lower_rotation_zy * multipliers_5)
+        t200 = minus_limb2_upper_position_y * limb2_S_reactions_fz + minus_limb2_upper_position_z * t193
+        limb2_S_reactions_mx = -t200
+        limb2_S_reactions_my = minus_limb2_upper_position_z * t190 + minus_limb2_upper_position_x * limb2_S_reactions_fz
+        limb2_S_reactions_mz = minus_limb2_upper_position_x * t193 - minus_limb2_upper_position_y * t190
         # limb3: geometry; accelerations; balance, eqs. (40)-(47)
-        t207 = 0.5235987755982989 - limb3_U_q_1
-        limb3_lower_cos = np.cos(t207)
-        minus_limb3_lower_sin = np.sin(t207)
+        t205 = 0.5235987755982989 - limb3_U_q_1
+        limb3_lower_cos = np.cos(t205)
+        minus_limb3_lower_sin = np.sin(t205)
         minus_limb3_lower_omega_x = limb3_U_v_0 * minus_limb3_lower_sin
         limb3_lower_omega_y = limb3_U_v_0 * limb3_lower_cos
         minus_limb3_lower_U_still_xy = minus_limb3_lower_omega_x * limb3_lower_omega_y
@@ -10576,266 +10501,250 @@ def _forward_dynamics_reactions_wrenches(*arguments):
         limb3_U_0_acc_y = 9.81 * limb3_U_0_cos
         limb3_lower_acc_y = minus_limb3_lower_sin * limb3_U_0_acc_y
         limb3_lower_rate_fy_2 = limb3_lower_rate_fy + 1.42 * limb3_lower_acc_y
-        t209 = limb3_P_v * (2.0 * limb3_U_v_1)
+        t207 = limb3_P_v * (2.0 * limb3_U_v_1)
         limb3_upper_offset_x = 0.3 + limb3_P_q
-        limb3_upper_acc_y = t209 + (limb3_upper_offset_x * limb3_lower_U_yx + limb3_lower_acc_y)
+        limb3_upper_acc_y = t207 + (limb3_upper_offset_x * limb3_lower_U_yx + limb3_lower_acc_y)
         limb3_upper_sent_fy = 1.42 * limb3_upper_acc_y - limb3_lower_rate_fy - multipliers_8
         limb3_lower_sent_fy = limb3_lower_rate_fy_2 + limb3_upper_sent_fy
-        t212 = limb3_lower_cos * limb3_lower_sent_fy
+        t210 = limb3_lower_cos * limb3_lower_sent_fy
         limb3_lower_acc_x = limb3_lower_cos * limb3_U_0_acc_y
         minus_limb3_upper_acc_still_x = limb3_upper_offset_x * (limb3_lower_omega_y * limb3_lower_omega_y + limb3_U_v_1 * limb3_U_v_1)
-        t216 = 1.42 * (limb3_lower_acc_x + (limb3_P_a - (minus_limb3_upper_acc_still_x - limb3_lower_acc_x)))
-        minus_limb3_lower_sent_fx = multipliers_7 - t216
-        limb3_lower_joint_sent_fy = t212 + minus_limb3_lower_sin * minus_limb3_lower_sent_fx
+        t214 = 1.42 * (limb3_lower_acc_x + (limb3_P_a - (minus_limb3_upper_acc_still_x - limb3_lower_acc_x)))
+        minus_limb3_lower_sent_fx = multipliers_7 - t214
+        limb3_lower_joint_sent_fy = t210 + minus_limb3_lower_sin * minus_limb3_lower_sent_fx
         limb3_lower_alpha_still_y = limb3_U_v_1 * minus_limb3_lower_omega_x
         limb3_lower_alpha_y = limb3_lower_alpha_still_y + limb3_U_a_0 * limb3_lower_cos
         minus_limb3_lower_U_zx = limb3_lower_alpha_still_y + limb3_lower_alpha_y
         minus_limb3_lower_rate_fz = 0.213 * minus_limb3_lower_U_zx
         limb3_U_0_sin = np.sin(limb3_U_q_0)
         minus_limb3_lower_rate_fz_2 = minus_limb3_lower_rate_fz - 13.9302 * limb3_U_0_sin
-        t219 = limb3_P_v * (2.0 * limb3_lower_omega_y)
-        minus_limb3_upper_acc_z = t219 + (limb3_upper_offset_x * minus_limb3_lower_U_zx - 9.81 * limb3_U_0_sin)
-        # limb3: balance, eqs. (40)-(47); accelerations; momentum rate, eq. (35)
+        t217 = limb3_P_v * (2.0 * limb3_lower_omega_y)
+        minus_limb3_upper_acc_z = t217 + (limb3_upper_offset_x * minus_limb3_lower_U_zx - 9.81 * limb3_U_0_sin)
+        # limb3: balance, eqs. (40)-(47); momentum rate, eq. (35); reactions, eq. (32)
         minus_limb3_upper_sent_fz = 1.42 * minus_limb3_upper_acc_z - minus_limb3_lower_rate_fz + multipliers_9
         minus_limb3_lower_sent_fz = minus_limb3_lower_rate_fz_2 + minus_limb3_upper_sent_fz
-        t222 = limb3_U_0_cos * minus_limb3_lower_sent_fz
+        t220 = limb3_U_0_cos * minus_limb3_lower_sent_fz
         limb3_lower_joint_sent_fx = minus_limb3_lower_sin * limb3_lower_sent_fy - limb3_lower_cos * minus_limb3_lower_sent_fx
-        minus_limb3_U_0_joint_sent_fx = t222 + limb3_U_0_sin * limb3_lower_joint_sent_fx
+        minus_limb3_U_0_joint_sent_fx = t220 + limb3_U_0_sin * limb3_lower_joint_sent_fx
         limb3_U_0_joint_sent_fx = -minus_limb3_U_0_joint_sent_fx
         minus_limb3_U_0_joint_sent_fy = limb3_U_0_sin * minus_limb3_lower_sent_fz - limb3_U_0_cos * limb3_lower_joint_sent_fx
         limb3_U_0_joint_sent_fy = -minus_limb3_U_0_joint_sent_fy
         limb3_lower_alpha_still_x = limb3_U_v_1 * limb3_lower_omega_y
-        t228 = 0.0556 * (limb3_lower_alpha_still_x - limb3_U_a_0 * minus_limb3_lower_sin)
-        limb3_upper_rate_mx = t228 - 0.02 * limb3_lower_alpha_still_x
+        t226 = 0.0556 * (limb3_lower_alpha_still_x - limb3_U_a_0 * minus_limb3_lower_sin)
+        limb3_upper_rate_mx = t226 - 0.02 * limb3_lower_alpha_still_x
         limb3_lower_sent_mx = 2.0 * limb3_upper_rate_mx
-        t230 = minus_limb3_lower_sin * limb3_lower_sent_mx
+        t228 = minus_limb3_lower_sin * limb3_lower_sent_mx
         limb3_upper_moment_y = 2.08953 * limb3_U_0_sin
-        t233 = 1.19195 * limb3_lower_alpha_y + 1.11635 * limb3_lower_alpha_still_y
-        minus_limb3_lower_rate_my = limb3_upper_moment_y - t233
-        minus_limb3_upper_rate_my_2 = 0.213 * minus_limb3_upper_acc_z - t233
+        t231 = 1.19195 * limb3_lower_alpha_y + 1.11635 * limb3_lower_alpha_still_y
+        minus_limb3_lower_rate_my = limb3_upper_moment_y - t231
+        minus_limb3_upper_rate_my_2 = 0.213 * minus_limb3_upper_acc_z - t231
         minus_limb3_lower_sent_my = minus_limb3_lower_rate_my + (minus_limb3_upper_rate_my_2 - limb3_upper_offset_x * minus_limb3_upper_sent_fz)
-        minus_limb3_lower_joint_sent_my = t230 + limb3_lower_cos * minus_limb3_lower_sent_my
+        minus_limb3_lower_joint_sent_my = t228 + limb3_lower_cos * minus_limb3_lower_sent_my
         limb3_lower_joint_sent_my = -minus_limb3_lower_joint_sent_my
-        # limb3: reactions, eq. (32); balance, eqs. (40)-(47); geometry
-        t237 = 0.8 * minus_limb3_U_0_joint_sent_fy
+        t235 = 0.8 * minus_limb3_U_0_joint_sent_fy
         limb3_lower_joint_sent_mx = limb3_lower_cos * limb3_lower_sent_mx - minus_limb3_lower_sin * minus_limb3_lower_sent_my
-        limb3_U_reactions_my = t237 - limb3_U_0_sin * limb3_lower_joint_sent_mx
+        limb3_U_reactions_my = t235 - limb3_U_0_sin * limb3_lower_joint_sent_mx
         limb3_U_reactions_mz = limb3_U_0_cos * limb3_lower_joint_sent_mx - 0.8 * minus_limb3_U_0_joint_sent_fx
         limb3_P_reactions_fx = limb3_lower_cos * limb3_upper_sent_fy
         minus_limb3_lower_rotation_yy = limb3_U_0_sin * minus_limb3_lower_sin
-        t245 = minus_limb3_lower_rotation_yy * limb3_upper_sent_fy + limb3_U_0_cos * minus_limb3_upper_sent_fz
-        limb3_P_reactions_fy = -t245
+        t243 = minus_limb3_lower_rotation_yy * limb3_upper_sent_fy + limb3_U_0_cos * minus_limb3_upper_sent_fz
+        limb3_P_reactions_fy = -t243
         limb3_lower_rotation_zy = limb3_U_0_cos * minus_limb3_lower_sin
         limb3_P_reactions_fz = limb3_lower_rotation_zy * limb3_upper_sent_fy - limb3_U_0_sin * minus_limb3_upper_sent_fz
-        t250 = minus_limb3_lower_sin * limb3_upper_rate_mx + limb3_lower_cos * minus_limb3_upper_rate_my_2
-        minus_limb3_lower_rotation_yx = limb3_U_0_sin * limb3_lower_cos
-        minus_limb3_upper_position_y = limb3_upper_offset_x * minus_limb3_lower_rotation_yx
-        t251 = minus_limb3_upper_position_y * limb3_P_reactions_fz
         limb3_lower_rotation_zx = limb3_U_0_cos * limb3_lower_cos
         limb3_upper_position_z = limb3_upper_offset_x * limb3_lower_rotation_zx
-        t254 = t250 + (t251 - limb3_upper_position_z * t245)
-        limb3_P_reactions_mx = -t254
-        t255 = limb3_upper_position_z * limb3_P_reactions_fx
+        # limb3: reactions, eq. (32); geometry; momentum rate, eq. (35)
+        t246 = limb3_upper_position_z * t243
+        minus_limb3_lower_rotation_yx = limb3_U_0_sin * limb3_lower_cos
+        minus_limb3_upper_position_y = limb3_upper_offset_x * minus_limb3_lower_rotation_yx
+        t248 = t246 - minus_limb3_upper_position_y * limb3_P_reactions_fz
+        limb3_P_reactions_mx = t248 - (minus_limb3_lower_sin * limb3_upper_rate_mx + limb3_lower_cos * minus_limb3_upper_rate_my_2)
+        t252 = limb3_upper_position_z * limb3_P_reactions_fx
         limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
-        t257 = t255 - limb3_upper_position_x * limb3_P_reactions_fz
-        t258 = minus_limb3_lower_rotation_yx * limb3_upper_rate_mx
-        t260 = t258 - minus_limb3_lower_rotation_yy * minus_limb3_upper_rate_my_2
+        t254 = t252 - limb3_upper_position_x * limb3_P_reactions_fz
+        t255 = minus_limb3_lower_rotation_yx * limb3_upper_rate_mx
+        t257 = t255 - minus_limb3_lower_rotation_yy * minus_limb3_upper_rate_my_2
         minus_limb3_upper_rate_mz_2 = 0.213 * limb3_upper_acc_y - (1.17195 * limb3_U_a_1 - 1.13635 * minus_limb3_lower_U_still_xy)
-        limb3_P_reactions_my = t257 - (t260 + limb3_U_0_cos * minus_limb3_upper_rate_mz_2)
-        t266 = limb3_lower_rotation_zx * limb3_upper_rate_mx
-        t268 = t266 - limb3_lower_rotation_zy * minus_limb3_upper_rate_my_2
-        t270 = t268 - limb3_U_0_sin * minus_limb3_upper_rate_mz_2
-        limb3_P_reactions_mz = t270 - (limb3_upper_position_x * t245 - minus_limb3_upper_position_y * limb3_P_reactions_fx)
+        limb3_P_reactions_my = t254 - (t257 + limb3_U_0_cos * minus_limb3_upper_rate_mz_2)
+        t263 = limb3_lower_rotation_zx * limb3_upper_rate_mx
+        t265 = t263 - limb3_lower_rotation_zy * minus_limb3_upper_rate_my_2
+        t267 = t265 - limb3_U_0_sin * minus_limb3_upper_rate_mz_2
+        limb3_P_reactions_mz = t267 - (limb3_upper_position_x * t243 - minus_limb3_upper_position_y * limb3_P_reactions_fx)
         limb3_S_reactions_fx = minus_limb3_lower_sin * multipliers_7 - limb3_lower_cos * multipliers_8
-        t276 = limb3_U_0_cos * multipliers_9
-        t279 = minus_limb3_lower_rotation_yx * multipliers_7 + minus_limb3_lower_rotation_yy * multipliers_8
-        t280 = t276 - t279
-        limb3_S_reactions_fy = -t280
-        t281 = limb3_U_0_sin * multipliers_9
-        t285 = t281 + (limb3_lower_rotation_zx * multipliers_7 + limb3_lower_rotation_zy * multipliers_8)
-        limb3_S_reactions_fz = -t285
-        limb3_S_reactions_mx = minus_limb3_upper_position_y * t285 + limb3_upper_position_z * t280
-        limb3_S_reactions_my = limb3_upper_position_z * limb3_S_reactions_fx + limb3_upper_position_x * t285
-        limb3_S_reactions_mz = minus_limb3_upper_position_y * limb3_S_reactions_fx - limb3_upper_position_x * t280
+        t273 = limb3_U_0_cos * multipliers_9
+        t276 = minus_limb3_lower_rotation_yx * multipliers_7 + minus_limb3_lower_rotation_yy * multipliers_8
+        t277 = t273 - t276
+        limb3_S_reactions_fy = -t277
+        t278 = limb3_U_0_sin * multipliers_9
+        t282 = t278 + (limb3_lower_rotation_zx * multipliers_7 + limb3_lower_rotation_zy * multipliers_8)
+        limb3_S_reactions_fz = -t282
+        limb3_S_reactions_mx = minus_limb3_upper_position_y * t282 + limb3_upper_position_z * t277
+        limb3_S_reactions_my = limb3_upper_position_z * limb3_S_reactions_fx + limb3_upper_position_x * t282
+        limb3_S_reactions_mz = minus_limb3_upper_position_y * limb3_S_reactions_fx - limb3_upper_position_x * t277
         # limb4: geometry; accelerations; momentum rate, eq. (35)
         limb4_U_0_sin = np.cos(limb4_U_q_0)
-        t292 = 2.6179938779914944 - limb4_U_q_1
-        minus_limb4_lower_sin = np.sin(t292)
+        t289 = 2.6179938779914944 - limb4_U_q_1
+        minus_limb4_lower_sin = np.sin(t289)
         minus_limb4_lower_omega_x = limb4_U_v_0 * minus_limb4_lower_sin
         limb4_lower_alpha_still_y = limb4_U_v_1 * minus_limb4_lower_omega_x
-        limb4_lower_cos = np.cos(t292)
+        limb4_lower_cos = np.cos(t289)
         limb4_lower_alpha_y = limb4_lower_alpha_still_y + limb4_U_a_0 * limb4_lower_cos
         minus_limb4_lower_U_zx = limb4_lower_alpha_still_y + limb4_lower_alpha_y
         minus_limb4_lower_rate_fz = 0.213 * minus_limb4_lower_U_zx
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
         minus_limb4_lower_rate_fz_2 = minus_limb4_lower_rate_fz + 13.9302 * minus_limb4_U_0_cos
         limb4_lower_omega_y = limb4_U_v_0 * limb4_lower_cos
-        t294 = limb4_P_v * (2.0 * limb4_lower_omega_y)
+        t291 = limb4_P_v * (2.0 * limb4_lower_omega_y)
         limb4_upper_offset_x = 0.3 + limb4_P_q
-        minus_limb4_upper_acc_z = t294 + (limb4_upper_offset_x * minus_limb4_lower_U_zx + 9.81 * minus_limb4_U_0_cos)
+        minus_limb4_upper_acc_z = t291 + (limb4_upper_offset_x * minus_limb4_lower_U_zx + 9.81 * minus_limb4_U_0_cos)
         minus_limb4_upper_sent_fz = 1.42 * minus_limb4_upper_acc_z - minus_limb4_lower_rate_fz + multipliers_12
         minus_limb4_lower_sent_fz = minus_limb4_lower_rate_fz_2 + minus_limb4_upper_sent_fz
-        t297 = limb4_U_0_sin * minus_limb4_lower_sent_fz
+        t294 = limb4_U_0_sin * minus_limb4_lower_sent_fz
         minus_limb4_lower_U_still_xy = minus_limb4_lower_omega_x * limb4_lower_omega_y
         limb4_lower_U_yx = limb4_U_a_1 - minus_limb4_lower_U_still_xy
         limb4_lower_rate_fy = 0.213 * limb4_lower_U_yx
         minus_limb4_U_0_acc_y = 9.81 * limb4_U_0_sin
         minus_limb4_lower_acc_y = minus_limb4_lower_sin * minus_limb4_U_0_acc_y
         limb4_lower_rate_fy_2 = limb4_lower_rate_fy - 1.42 * minus_limb4_lower_acc_y
-        t299 = limb4_P_v * (2.0 * limb4_U_v_1)
-        limb4_upper_acc_y = t299 + (limb4_upper_offset_x * limb4_lower_U_yx - minus_limb4_lower_acc_y)
+        t296 = limb4_P_v * (2.0 * limb4_U_v_1)
+        limb4_upper_acc_y = t296 + (limb4_upper_offset_x * limb4_lower_U_yx - minus_limb4_lower_acc_y)
         # limb4: balance, eqs. (40)-(47); accelerations; momentum rate, eq. (35)
         limb4_upper_sent_fy = 1.42 * limb4_upper_acc_y - limb4_lower_rate_fy - multipliers_11
         limb4_lower_sent_fy = limb4_lower_rate_fy_2 + limb4_upper_sent_fy
-        t302 = minus_limb4_lower_sin * limb4_lower_sent_fy
+        t299 = minus_limb4_lower_sin * limb4_lower_sent_fy
         minus_limb4_lower_acc_x = limb4_lower_cos * minus_limb4_U_0_acc_y
         minus_limb4_upper_acc_still_x = limb4_upper_offset_x * (limb4_lower_omega_y * limb4_lower_omega_y + limb4_U_v_1 * limb4_U_v_1)
-        t305 = minus_limb4_lower_acc_x - (limb4_P_a - (minus_limb4_upper_acc_still_x + minus_limb4_lower_acc_x))
-        minus_limb4_lower_sent_fx = multipliers_10 + 1.42 * t305
-        limb4_lower_joint_sent_fx = t302 - limb4_lower_cos * minus_limb4_lower_sent_fx
-        minus_limb4_U_0_joint_sent_fy = t297 + minus_limb4_U_0_cos * limb4_lower_joint_sent_fx
+        t302 = minus_limb4_lower_acc_x - (limb4_P_a - (minus_limb4_upper_acc_still_x + minus_limb4_lower_acc_x))
+        minus_limb4_lower_sent_fx = multipliers_10 + 1.42 * t302
+        limb4_lower_joint_sent_fx = t299 - limb4_lower_cos * minus_limb4_lower_sent_fx
+        minus_limb4_U_0_joint_sent_fy = t294 + minus_limb4_U_0_cos * limb4_lower_joint_sent_fx
         limb4_U_0_joint_sent_fy = -minus_limb4_U_0_joint_sent_fy
         limb4_lower_joint_sent_fy = limb4_lower_cos * limb4_lower_sent_fy + minus_limb4_lower_sin * minus_limb4_lower_sent_fx
         limb4_U_0_joint_sent_fx = minus_limb4_U_0_cos * minus_limb4_lower_sent_fz - limb4_U_0_sin * limb4_lower_joint_sent_fx
-        t313 = 0.8 * limb4_U_0_joint_sent_fx
+        t310 = 0.8 * limb4_U_0_joint_sent_fx
         limb4_lower_alpha_still_x = limb4_U_v_1 * limb4_lower_omega_y
-        t314 = 0.0556 * (limb4_lower_alpha_still_x - limb4_U_a_0 * minus_limb4_lower_sin)
-        limb4_upper_rate_mx = t314 - 0.02 * limb4_lower_alpha_still_x
+        t311 = 0.0556 * (limb4_lower_alpha_still_x - limb4_U_a_0 * minus_limb4_lower_sin)
+        limb4_upper_rate_mx = t311 - 0.02 * limb4_lower_alpha_still_x
         limb4_lower_sent_mx = 2.0 * limb4_upper_rate_mx
-        t316 = limb4_lower_cos * limb4_lower_sent_mx
+        t313 = limb4_lower_cos * limb4_lower_sent_mx
         minus_limb4_upper_moment_y = 2.08953 * minus_limb4_U_0_cos
-        t319 = 1.19195 * limb4_lower_alpha_y + 1.11635 * limb4_lower_alpha_still_y
-        limb4_lower_rate_my = minus_limb4_upper_moment_y + t319
-        minus_limb4_upper_rate_my_2 = 0.213 * minus_limb4_upper_acc_z - t319
+        t316 = 1.19195 * limb4_lower_alpha_y + 1.11635 * limb4_lower_alpha_still_y
+        limb4_lower_rate_my = minus_limb4_upper_moment_y + t316
+        minus_limb4_upper_rate_my_2 = 0.213 * minus_limb4_upper_acc_z - t316
         limb4_lower_sent_my = limb4_lower_rate_my - (minus_limb4_upper_rate_my_2 - limb4_upper_offset_x * minus_limb4_upper_sent_fz)
-        limb4_lower_joint_sent_mx = t316 + minus_limb4_lower_sin * limb4_lower_sent_my
+        limb4_lower_joint_sent_mx = t313 + minus_limb4_lower_sin * limb4_lower_sent_my
         # limb4: reactions, eq. (32); balance, eqs. (40)-(47); geometry
-        limb4_U_reactions_mx = t313 - minus_limb4_U_0_cos * limb4_lower_joint_sent_mx
+        limb4_U_reactions_mx = t310 - minus_limb4_U_0_cos * limb4_lower_joint_sent_mx
         minus_limb4_lower_joint_sent_my = minus_limb4_lower_sin * limb4_lower_sent_mx - limb4_lower_cos * limb4_lower_sent_my
         limb4_lower_joint_sent_my = -minus_limb4_lower_joint_sent_my
         limb4_U_reactions_mz = 0.8 * minus_limb4_U_0_joint_sent_fy - limb4_U_0_sin * limb4_lower_joint_sent_mx
         minus_limb4_lower_rotation_xy = minus_limb4_U_0_cos * minus_limb4_lower_sin
-        t330 = minus_limb4_lower_rotation_xy * limb4_upper_sent_fy + limb4_U_0_sin * minus_limb4_upper_sent_fz
-        limb4_P_reactions_fx = -t330
+        t327 = minus_limb4_lower_rotation_xy * limb4_upper_sent_fy + limb4_U_0_sin * minus_limb4_upper_sent_fz
+        limb4_P_reactions_fx = -t327
         limb4_P_reactions_fy = limb4_lower_cos * limb4_upper_sent_fy
         minus_limb4_lower_rotation_zy = limb4_U_0_sin * minus_limb4_lower_sin
-        t331 = minus_limb4_lower_rotation_zy * limb4_upper_sent_fy
-        t333 = t331 - minus_limb4_U_0_cos * minus_limb4_upper_sent_fz
-        limb4_P_reactions_fz = -t333
+        t328 = minus_limb4_lower_rotation_zy * limb4_upper_sent_fy
+        t330 = t328 - minus_limb4_U_0_cos * minus_limb4_upper_sent_fz
+        limb4_P_reactions_fz = -t330
+        t331 = minus_limb4_lower_rotation_xy * minus_limb4_upper_rate_my_2
         minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos
-        t334 = minus_limb4_lower_rotation_xx * limb4_upper_rate_mx
-        t336 = t334 - minus_limb4_lower_rotation_xy * minus_limb4_upper_rate_my_2
+        t333 = t331 - minus_limb4_lower_rotation_xx * limb4_upper_rate_mx
         minus_limb4_upper_rate_mz_2 = 0.213 * limb4_upper_acc_y - (1.17195 * limb4_U_a_1 - 1.13635 * minus_limb4_lower_U_still_xy)
-        t341 = t336 + limb4_U_0_sin * minus_limb4_upper_rate_mz_2
+        t338 = t333 - limb4_U_0_sin * minus_limb4_upper_rate_mz_2
         limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
-        t342 = limb4_upper_position_y * t333
+        t339 = limb4_upper_position_y * t330
         minus_limb4_lower_rotation_zx = limb4_U_0_sin * limb4_lower_cos
         minus_limb4_upper_position_z = limb4_upper_offset_x * minus_limb4_lower_rotation_zx
-        t345 = t341 + (t342 - minus_limb4_upper_position_z * limb4_P_reactions_fy)
-        limb4_P_reactions_mx = -t345
-        t346 = minus_limb4_upper_position_z * t330
+        limb4_P_reactions_mx = t338 - (t339 - minus_limb4_upper_position_z * limb4_P_reactions_fy)
+        t342 = minus_limb4_upper_position_z * t327
         minus_limb4_upper_position_x = limb4_upper_offset_x * minus_limb4_lower_rotation_xx
-        t348 = t346 - minus_limb4_upper_position_x * t333
-        limb4_P_reactions_my = t348 - (minus_limb4_lower_sin * limb4_upper_rate_mx + limb4_lower_cos * minus_limb4_upper_rate_my_2)
-        t352 = minus_limb4_lower_rotation_zx * limb4_upper_rate_mx
-        t354 = t352 - minus_limb4_lower_rotation_zy * minus_limb4_upper_rate_my_2
-        t356 = t354 - minus_limb4_U_0_cos * minus_limb4_upper_rate_mz_2
-        t360 = t356 + (minus_limb4_upper_position_x * limb4_P_reactions_fy - limb4_upper_position_y * t330)
-        limb4_P_reactions_mz = -t360
-        t361 = limb4_U_0_sin * multipliers_12
-        t364 = minus_limb4_lower_rotation_xx * multipliers_10 + minus_limb4_lower_rotation_xy * multipliers_11
-        t365 = t361 - t364
-        limb4_S_reactions_fx = -t365
+        t344 = t342 - minus_limb4_upper_position_x * t330
+        limb4_P_reactions_my = t344 - (minus_limb4_lower_sin * limb4_upper_rate_mx + limb4_lower_cos * minus_limb4_upper_rate_my_2)
+        t348 = minus_limb4_U_0_cos * minus_limb4_upper_rate_mz_2
+        t349 = minus_limb4_lower_rotation_zx * limb4_upper_rate_mx
+        t352 = t348 - (t349 - minus_limb4_lower_rotation_zy * minus_limb4_upper_rate_my_2)
+        limb4_P_reactions_mz = t352 - (minus_limb4_upper_position_x * limb4_P_reactions_fy - limb4_upper_position_y * t327)
+        t356 = limb4_U_0_sin * multipliers_12
+        t359 = minus_limb4_lower_rotation_xx * multipliers_10 + minus_limb4_lower_rotation_xy * multipliers_11
+        t360 = t356 - t359
+        limb4_S_reactions_fx = -t360
         limb4_S_reactions_fy = minus_limb4_lower_sin * multipliers_10 - limb4_lower_cos * multipliers_11
-        t368 = minus_limb4_U_0_cos * multipliers_12
-        t371 = minus_limb4_lower_rotation_zx * multipliers_10 + minus_limb4_lower_rotation_zy * multipliers_11
-        limb4_S_reactions_fz = t368 + t371
-        t372 = limb4_upper_position_y * limb4_S_reactions_fz
-        limb4_S_reactions_mx = t372 + minus_limb4_upper_position_z * limb4_S_reactions_fy
-        limb4_S_reactions_my = minus_limb4_upper_position_z * t365 + minus_limb4_upper_position_x * limb4_S_reactions_fz
-        limb4_S_reactions_mz = limb4_upper_position_y * t365 - minus_limb4_upper_position_x * limb4_S_reactions_fy
+        t363 = minus_limb4_U_0_cos * multipliers_12
+        t366 = minus_limb4_lower_rotation_zx * multipliers_10 + minus_limb4_lower_rotation_zy * multipliers_11
+        limb4_S_reactions_fz = t363 + t366
+        t367 = limb4_upper_position_y * limb4_S_reactions_fz
+        limb4_S_reactions_mx = t367 + minus_limb4_upper_position_z * limb4_S_reactions_fy
+        limb4_S_reactions_my = minus_limb4_upper_position_z * t360 + minus_limb4_upper_position_x * limb4_S_reactions_fz
+        limb4_S_reactions_mz = limb4_upper_position_y * t360 - minus_limb4_upper_position_x * limb4_S_reactions_fy
         # platform: geometry; momentum rate, eq. (35); balance, eqs. (40)-(47)
         platform_turn_xx = 1.0 - t29 * t32
         platform_rate_fx = 1.4912957453168034 * (limb5_S_a_wy + limb5_S_v_wx * limb5_S_v_wz)
-        t379 = limb5_S_q_qx * t36
-        t380 = limb5_S_q_qw * t78
-        platform_turn_zx = t379 - t380
+        t374 = limb5_S_q_qx * t36
+        t375 = limb5_S_q_qw * t78
+        platform_turn_zx = t374 - t375
         platform_rate_fx_2 = platform_rate_fx + 28.1547 * platform_turn_zx
-        t382 = platform_turn_xx * platform_rate_fx_2
+        t377 = platform_turn_xx * platform_rate_fx_2
         minus_platform_rate_fy_2 = 1.4912957453168034 * (limb5_S_a_wx - limb5_S_v_wy * limb5_S_v_wz) - 28.1547 * platform_turn_zy
-        # platform: balance, eqs. (40)-(47); geometry; momentum rate, eq. (35)
-        t385 = t382 - platform_turn_xy * minus_platform_rate_fy_2
-        platform_turn_xz = t379 + t380
+        # mechanism: balance, eqs. (40)-(47); geometry; results
+        t380 = t377 - platform_turn_xy * minus_platform_rate_fy_2
+        platform_turn_xz = t374 + t375
         minus_platform_rate_fz = 1.4912957453168034 * (limb5_S_v_wx * limb5_S_v_wx + limb5_S_v_wy * limb5_S_v_wy)
         platform_turn_zz = 1.0 - t32 * (t25 + t27)
         minus_platform_rate_fz_2 = minus_platform_rate_fz - 28.1547 * platform_turn_zz
-        t393 = t385 - platform_turn_xz * minus_platform_rate_fz_2 + t94
-        t396 = limb2_lower_cos * multipliers_4 - limb2_lower_sin * multipliers_5
-        t400 = t393 + (t188 - minus_limb2_U_0_cos * t396) - limb3_S_reactions_fx
-        t403 = limb4_lower_cos * multipliers_10 + minus_limb4_lower_sin * multipliers_11
-        platform_joint_sent_fx = t400 + (t361 - minus_limb4_U_0_cos * t403)
-        t408 = (t79 + t80) * platform_rate_fx_2 - platform_turn_yy * minus_platform_rate_fy_2
-        t410 = t408 - (t37 - t39) * minus_platform_rate_fz_2
-        t413 = limb1_lower_cos * multipliers_0 - limb1_lower_sin * multipliers_1
-        t417 = t410 + (t95 - limb1_U_0_sin * t413) + t195
-        t420 = limb3_lower_cos * multipliers_7 + minus_limb3_lower_sin * multipliers_8
-        platform_joint_sent_fy = t417 + (t276 - limb3_U_0_sin * t420) - limb4_S_reactions_fy
-        t426 = platform_turn_zx * platform_rate_fx_2 - platform_turn_zy * minus_platform_rate_fy_2
-        t431 = t426 - platform_turn_zz * minus_platform_rate_fz_2 + (t100 + limb1_U_0_cos * t413)
-        t437 = t431 - (t196 + limb2_U_0_sin * t396) + (t281 + limb3_U_0_cos * t420)
-        platform_joint_sent_fz = t437 - (t368 + limb4_U_0_sin * t403)
+        t388 = t380 - platform_turn_xz * minus_platform_rate_fz_2 + t94
+        t391 = limb2_lower_cos * multipliers_4 - limb2_lower_sin * multipliers_5
+        t395 = t388 + (t186 - minus_limb2_U_0_cos * t391) - limb3_S_reactions_fx
+        t398 = limb4_lower_cos * multipliers_10 + minus_limb4_lower_sin * multipliers_11
+        platform_joint_sent_fx = t395 + (t356 - minus_limb4_U_0_cos * t398)
+        t403 = (t79 + t80) * platform_rate_fx_2 - platform_turn_yy * minus_platform_rate_fy_2
+        t405 = t403 - (t37 - t39) * minus_platform_rate_fz_2
+        t408 = limb1_lower_cos * multipliers_0 - limb1_lower_sin * multipliers_1
+        t412 = t405 + (t95 - limb1_U_0_sin * t408) + t193
+        t415 = limb3_lower_cos * multipliers_7 + minus_limb3_lower_sin * multipliers_8
+        platform_joint_sent_fy = t412 + (t273 - limb3_U_0_sin * t415) - limb4_S_reactions_fy
+        t421 = platform_turn_zx * platform_rate_fx_2 - platform_turn_zy * minus_platform_rate_fy_2
+        t426 = t421 - platform_turn_zz * minus_platform_rate_fz_2 + (t100 + limb1_U_0_cos * t408)
+        t432 = t426 - (t194 + limb2_U_0_sin * t391) + (t278 + limb3_U_0_cos * t415)
+        platform_joint_sent_fz = t432 - (t363 + limb4_U_0_sin * t398)
         limb1_lower_joint_sent_fx = -minus_limb1_lower_joint_sent_fx
         sized_3 = 1.5098282268426322 * limb1_lower_joint_sent_mx
         sized_4 = 1.5098282268426322 * limb1_lower_joint_sent_my
-        # limb1: balance, eqs. (40)-(47); results; reactions, eq. (32)
         limb1_upper_sent_fz = -minus_limb1_upper_sent_fz
         sized_9 = 1.5098282268426322 * limb1_upper_sent_mx
-        t440 = 1.5098282268426322 * minus_limb1_upper_rate_my_2
-        sized_10 = -t440
-        t441 = 1.5098282268426322 * minus_limb1_upper_sent_mz
-        sized_11 = -t441
+        sized_10 = (-1.5098282268426322) * minus_limb1_upper_rate_my_2
+        sized_11 = (-1.5098282268426322) * minus_limb1_upper_sent_mz
         limb1_U2_joint_reaction_fx = -multipliers_0
         limb1_U2_joint_reaction_fy = -multipliers_1
         limb1_U2_joint_reaction_fz = -multipliers_2
-        t442 = 1.5098282268426322 * minus_limb1_U2_joint_reaction_mx
-        sized_15 = -t442
-        t443 = 1.5098282268426322 * minus_limb1_U2_joint_reaction_mz
-        sized_17 = -t443
+        sized_15 = (-1.5098282268426322) * minus_limb1_U2_joint_reaction_mx
+        sized_17 = (-1.5098282268426322) * minus_limb1_U2_joint_reaction_mz
         limb2_lower_joint_sent_fx = -minus_limb2_lower_joint_sent_fx
         sized_21 = 1.5098282268426322 * limb2_lower_joint_sent_mx
         sized_22 = 1.5098282268426322 * limb2_lower_joint_sent_my
         limb2_upper_sent_fz = -minus_limb2_upper_sent_fz
         sized_27 = 1.5098282268426322 * limb2_upper_rate_mx
-        t444 = 1.5098282268426322 * minus_limb2_upper_rate_my_2  # limb2
-        sized_28 = -t444
-        t445 = 1.5098282268426322 * minus_limb2_upper_rate_mz_2  # limb2
-        sized_29 = -t445
+        sized_28 = (-1.5098282268426322) * minus_limb2_upper_rate_my_2
+        sized_29 = (-1.5098282268426322) * minus_limb2_upper_rate_mz_2
         limb2_S_joint_reaction_fx = -multipliers_4
         limb2_S_joint_reaction_fy = -multipliers_5
         limb2_S_joint_reaction_fz = -multipliers_6
         limb3_lower_sent_fz = -minus_limb3_lower_sent_fz
         sized_39 = 1.5098282268426322 * limb3_lower_joint_sent_mx
-        t446 = 1.5098282268426322 * minus_limb3_lower_joint_sent_my  # limb3
-        sized_40 = -t446
+        sized_40 = (-1.5098282268426322) * minus_limb3_lower_joint_sent_my
         limb3_upper_sent_fz = -minus_limb3_upper_sent_fz
         sized_45 = 1.5098282268426322 * limb3_upper_rate_mx
-        t447 = 1.5098282268426322 * minus_limb3_upper_rate_my_2  # limb3
-        sized_46 = -t447
-        t448 = 1.5098282268426322 * minus_limb3_upper_rate_mz_2  # limb3
-        sized_47 = -t448
+        sized_46 = (-1.5098282268426322) * minus_limb3_upper_rate_my_2
+        sized_47 = (-1.5098282268426322) * minus_limb3_upper_rate_mz_2
         limb3_S_joint_reaction_fx = -multipliers_7
         limb3_S_joint_reaction_fy = -multipliers_8
         limb3_S_joint_reaction_fz = -multipliers_9
         limb4_lower_sent_fz = -minus_limb4_lower_sent_fz
         sized_57 = 1.5098282268426322 * limb4_lower_joint_sent_mx
-        t449 = 1.5098282268426322 * minus_limb4_lower_joint_sent_my  # limb4
-        sized_58 = -t449
+        sized_58 = (-1.5098282268426322) * minus_limb4_lower_joint_sent_my
         limb4_upper_sent_fz = -minus_limb4_upper_sent_fz
         sized_63 = 1.5098282268426322 * limb4_upper_rate_mx
-        t450 = 1.5098282268426322 * minus_limb4_upper_rate_my_2  # limb4
-        sized_64 = -t450
-        t451 = 1.5098282268426322 * minus_limb4_upper_rate_mz_2  # limb4
-        sized_65 = -t451
+        sized_64 = (-1.5098282268426322) * minus_limb4_upper_rate_my_2
+        sized_65 = (-1.5098282268426322) * minus_limb4_upper_rate_mz_2
         limb4_S_joint_reaction_fx = -multipliers_10
         limb4_S_joint_reaction_fy = -multipliers_11
         limb4_S_joint_reaction_fz = -multipliers_12
@@ -10879,17 +10788,18 @@ def _forward_dynamics_reactions_wrenches(*arguments):
             0.0, 0.0)), (), (limb1_lower_joint_sent_fy, limb1_U_reactions_my, limb1_U_reactions_mz,
             limb1_P_reactions_mx, limb1_P_reactions_my, limb1_P_reactions_mz, limb1_U2_reactions_mx,
             limb1_U2_reactions_my, limb1_U2_reactions_mz, limb2_lower_joint_sent_fy,
-            limb2_U_reactions_mx, limb2_U_reactions_mz, t172, limb2_P_reactions_my, t187, t202,
-            limb2_S_reactions_my, limb2_S_reactions_mz, limb3_lower_joint_sent_fy,
-            limb3_U_reactions_my, limb3_U_reactions_mz, t254, limb3_P_reactions_my,
-            limb3_P_reactions_mz, limb3_S_reactions_mx, limb3_S_reactions_my, limb3_S_reactions_mz,
-            limb4_lower_joint_sent_fy, limb4_U_reactions_mx, limb4_U_reactions_mz, t345,
-            limb4_P_reactions_my, t360, limb4_S_reactions_mx, limb4_S_reactions_my,
-            limb4_S_reactions_mz, platform_joint_sent_fx, platform_joint_sent_fy,
-            platform_joint_sent_fz, sized_3, sized_4, sized_9, t440, t441, t442, t443, sized_21,
-            sized_22, sized_27, t444, t445, sized_39, t446, sized_45, t447, t448, sized_57, t449,
-            sized_63, t450, t451, limb1_P_u, limb2_P_u, limb3_P_u, limb4_P_u, limb5_S_a_wz), ((t30,
-            0.999999, 1.000001, 5),))
+            limb2_U_reactions_mx, limb2_U_reactions_mz, limb2_P_reactions_mx, limb2_P_reactions_my,
+            limb2_P_reactions_mz, t200, limb2_S_reactions_my, limb2_S_reactions_mz,
+            limb3_lower_joint_sent_fy, limb3_U_reactions_my, limb3_U_reactions_mz,
+            limb3_P_reactions_mx, limb3_P_reactions_my, limb3_P_reactions_mz, limb3_S_reactions_mx,
+            limb3_S_reactions_my, limb3_S_reactions_mz, limb4_lower_joint_sent_fy,
+            limb4_U_reactions_mx, limb4_U_reactions_mz, limb4_P_reactions_mx, limb4_P_reactions_my,
+            limb4_P_reactions_mz, limb4_S_reactions_mx, limb4_S_reactions_my, limb4_S_reactions_mz,
+            platform_joint_sent_fx, platform_joint_sent_fy, platform_joint_sent_fz, sized_3,
+            sized_4, sized_9, sized_10, sized_11, sized_15, sized_17, sized_21, sized_22, sized_27,
+            sized_28, sized_29, sized_39, sized_40, sized_45, sized_46, sized_47, sized_57,
+            sized_58, sized_63, sized_64, sized_65, limb1_P_u, limb2_P_u, limb3_P_u, limb4_P_u,
+            limb5_S_a_wz), ((t30, 0.999999, 1.000001, 5),))
 
 
 def forward_dynamics_reactions(*arguments):
@@ -10944,7 +10854,7 @@ def forward_dynamics_reactions(*arguments):
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
       5 no rotation: the length of a quaternion differs from 1 by more than rounding; all outputs are
         NaN
-    Operations where no pivot is small: 1713 (add 722, mul 948, div 8, trig 16, compare 19)
+    Operations where no pivot is small: 1705 (add 714, mul 948, div 8, trig 16, compare 19)
     """
     settings = ((1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327, 1.0, 1.0, 0.662327, 1.0, 1.0, 1.0,), (1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.0, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322, 1.5098282268426322,), 13, 1.0e-09)
     return _rank_revealing(_forward_dynamics_reactions_first, _forward_dynamics_reactions_dense, _forward_dynamics_reactions_wrenches, arguments, *settings)
@@ -11815,7 +11725,7 @@ def inverse_velocity(*arguments):
       5 no rotation: the length of a quaternion differs from 1 by more than rounding; all outputs are
         NaN
       6 not on the mechanism: its loops do not close where, or as, the inputs say; all outputs are NaN
-    Operations: 264 (add 96, mul 132, div 8, sqrt 8, compare 20)
+    Operations: 260 (add 92, mul 132, div 8, sqrt 8, compare 20)
     """
     entries, batch = _entries("inverse_velocity", {"pose": 4, "rate": 3}, arguments)
     (
@@ -11823,7 +11733,7 @@ def inverse_velocity(*arguments):
         limb5_S_rate_wy, limb5_S_rate_wz,
     ) = entries
     with np.errstate(all="ignore"):
-        # platform: geometry; velocities, eq. (6)
+        # limb5_S: geometry; velocities, eq. (6)
         t1 = limb5_S_pose_qw * limb5_S_pose_qw
         t2 = limb5_S_pose_qx * limb5_S_pose_qx
         t3 = t1 + t2
@@ -11843,47 +11753,47 @@ def inverse_velocity(*arguments):
         platform_turn_yz = t15 - t17
         t18 = 0.5196152422706631 * platform_turn_yz
         minus_limb1_lower_limb_target_x = t14 - t18
-        t19 = minus_limb1_lower_limb_target_x * minus_limb1_lower_limb_target_x  # limb1
-        t20 = limb5_S_pose_qx * t12
-        t21 = limb5_S_pose_qw * t10
-        platform_turn_zx = t20 - t21
-        t22 = 0.5 * platform_turn_zx
-        platform_turn_zz = 1.0 - t9 * (t2 + t4)
-        t25 = 0.5196152422706631 * platform_turn_zz
-        minus_limb1_lower_limb_target_y = t22 - t25
-        t27 = t19 + minus_limb1_lower_limb_target_y * minus_limb1_lower_limb_target_y  # limb1
-        minus_limb1_U_0_lever_mz_by_limb1_U2_fz = np.sqrt(t27)
-        t28 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz  # limb1
         platform_turn_xx = 1.0 - t6 * t9
-        t30 = 0.5 * platform_turn_xx
-        platform_turn_xz = t20 + t21
-        t31 = 0.5196152422706631 * platform_turn_xz
-        minus_limb1_upper_position_x = t30 - t31
-        t32 = limb5_S_rate_wz * platform_turn_zz
-        t33 = limb5_S_rate_wx * platform_turn_zx
-        platform_turn_zy = t15 + t17
-        platform_twist_wz = t32 + (t33 + limb5_S_rate_wy * platform_turn_zy)
-        t36 = minus_limb1_upper_position_x * platform_twist_wz  # limb1
-        t37 = limb5_S_rate_wx * platform_turn_xx
+        t20 = limb5_S_rate_wx * platform_turn_xx
         platform_turn_xy = t11 - t13
-        platform_twist_wx = t37 + limb5_S_rate_wy * platform_turn_xy + limb5_S_rate_wz * platform_turn_xz
-        # limb1: loop closure; geometry; velocities, eq. (6)
-        t42 = t36 - minus_limb1_lower_limb_target_y * platform_twist_wx
-        minus_limb1_U_0_cos = minus_limb1_lower_limb_target_y * t28
-        t43 = t42 * minus_limb1_U_0_cos
-        t44 = minus_limb1_lower_limb_target_x * platform_twist_wx
+        t22 = t20 + limb5_S_rate_wy * platform_turn_xy
+        t23 = limb5_S_pose_qx * t12
+        t24 = limb5_S_pose_qw * t10
+        platform_turn_xz = t23 + t24
+        platform_twist_wx = t22 + limb5_S_rate_wz * platform_turn_xz
+        t26 = minus_limb1_lower_limb_target_x * platform_twist_wx  # limb1
+        t27 = 0.5 * platform_turn_xx
+        t28 = 0.5196152422706631 * platform_turn_xz
+        minus_limb1_upper_position_x = t27 - t28
         platform_turn_yy = 1.0 - t9 * (t2 + t5)
-        t49 = limb5_S_rate_wy * platform_turn_yy + limb5_S_rate_wx * platform_turn_yx  # platform
-        platform_twist_wy = t49 + limb5_S_rate_wz * platform_turn_yz
-        t52 = t44 - minus_limb1_upper_position_x * platform_twist_wy
-        limb1_U_0_sin = minus_limb1_lower_limb_target_x * t28
-        minus_limb1_U_0_omega_z = t28 * (t43 - t52 * limb1_U_0_sin)
-        limb1_U_0_omega_z = -minus_limb1_U_0_omega_z
+        t33 = limb5_S_rate_wy * platform_turn_yy + limb5_S_rate_wx * platform_turn_yx
+        platform_twist_wy = t33 + limb5_S_rate_wz * platform_turn_yz
+        # limb1: loop closure; reciprocal wrenches, eq. (10); geometry
+        t36 = t26 - minus_limb1_upper_position_x * platform_twist_wy
+        t37 = minus_limb1_lower_limb_target_x * minus_limb1_lower_limb_target_x
+        platform_turn_zx = t23 - t24
+        t38 = 0.5 * platform_turn_zx  # platform
+        platform_turn_zz = 1.0 - t9 * (t2 + t4)
+        t41 = 0.5196152422706631 * platform_turn_zz  # platform
+        minus_limb1_lower_limb_target_y = t38 - t41
+        t43 = t37 + minus_limb1_lower_limb_target_y * minus_limb1_lower_limb_target_y
+        minus_limb1_U_0_lever_mz_by_limb1_U2_fz = np.sqrt(t43)
+        t44 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz
+        limb1_U_0_sin = minus_limb1_lower_limb_target_x * t44
+        t45 = t36 * limb1_U_0_sin
+        t46 = limb5_S_rate_wz * platform_turn_zz  # platform
+        t47 = limb5_S_rate_wx * platform_turn_zx  # platform
+        platform_turn_zy = t15 + t17
+        platform_twist_wz = t46 + (t47 + limb5_S_rate_wy * platform_turn_zy)
+        t50 = minus_limb1_upper_position_x * platform_twist_wz
+        t52 = t50 - minus_limb1_lower_limb_target_y * platform_twist_wx
+        minus_limb1_U_0_cos = minus_limb1_lower_limb_target_y * t44
+        limb1_U_0_omega_z = (t45 - t52 * minus_limb1_U_0_cos) * t44
         limb1_lower_limb_target_z = 0.8 - minus_limb1_upper_position_x
-        limb1_lower_limb_length = np.sqrt(t27 + limb1_lower_limb_target_z * limb1_lower_limb_target_z)
+        limb1_lower_limb_length = np.sqrt(t43 + limb1_lower_limb_target_z * limb1_lower_limb_target_z)
         t56 = 1.0 / limb1_lower_limb_length
         limb1_lower_sin = limb1_lower_limb_target_z * t56
-        t59 = t42 * limb1_U_0_sin + t52 * minus_limb1_U_0_cos
+        t59 = t52 * limb1_U_0_sin + t36 * minus_limb1_U_0_cos
         t60 = limb1_lower_sin * t59
         t61 = minus_limb1_lower_limb_target_y * platform_twist_wy
         t63 = t61 - minus_limb1_lower_limb_target_x * platform_twist_wz
@@ -11892,78 +11802,78 @@ def inverse_velocity(*arguments):
         limb1_lower_omega_z = -minus_limb1_lower_omega_z
         minus_limb1_U2_opening_rate_fx = limb1_lower_cos * t59 - t63 * limb1_lower_sin
         t67 = 0.5 * platform_turn_zy  # platform
-        # limb2: geometry; reciprocal wrenches, eq. (10); loop closure
-        limb2_lower_limb_target_x = t25 - t67
-        t68 = limb2_lower_limb_target_x * limb2_lower_limb_target_x
-        t69 = 0.5 * platform_turn_xy  # platform
-        limb2_lower_limb_target_y = t31 - t69
-        t71 = t68 + limb2_lower_limb_target_y * limb2_lower_limb_target_y
-        limb2_U_0_lever_mz_by_limb2_S_fz = np.sqrt(t71)
-        t72 = 1.0 / limb2_U_0_lever_mz_by_limb2_S_fz
-        t73 = 0.5 * platform_turn_yy  # platform
-        limb2_upper_position_y = t18 - t73
-        t76 = limb2_upper_position_y * platform_twist_wx - limb2_lower_limb_target_y * platform_twist_wy
-        minus_limb2_U_0_cos = limb2_lower_limb_target_y * t72
-        t77 = t76 * minus_limb2_U_0_cos
-        t80 = limb2_lower_limb_target_x * platform_twist_wy - limb2_upper_position_y * platform_twist_wz
-        limb2_U_0_sin = limb2_lower_limb_target_x * t72
-        minus_limb2_U_0_omega_z = t72 * (t77 - t80 * limb2_U_0_sin)
-        limb2_U_0_omega_z = -minus_limb2_U_0_omega_z
+        # limb2: geometry; loop closure; reciprocal wrenches, eq. (10)
+        limb2_lower_limb_target_x = t41 - t67
+        t68 = limb2_lower_limb_target_x * platform_twist_wy
+        t69 = 0.5 * platform_turn_yy  # platform
+        limb2_upper_position_y = t18 - t69
+        t71 = t68 - limb2_upper_position_y * platform_twist_wz
+        t72 = limb2_lower_limb_target_x * limb2_lower_limb_target_x
+        t73 = 0.5 * platform_turn_xy  # platform
+        limb2_lower_limb_target_y = t28 - t73
+        t75 = t72 + limb2_lower_limb_target_y * limb2_lower_limb_target_y
+        limb2_U_0_lever_mz_by_limb2_S_fz = np.sqrt(t75)
+        t76 = 1.0 / limb2_U_0_lever_mz_by_limb2_S_fz
+        limb2_U_0_sin = limb2_lower_limb_target_x * t76
+        t77 = t71 * limb2_U_0_sin
+        t80 = limb2_upper_position_y * platform_twist_wx - limb2_lower_limb_target_y * platform_twist_wy
+        minus_limb2_U_0_cos = limb2_lower_limb_target_y * t76
+        limb2_U_0_omega_z = (t77 - t80 * minus_limb2_U_0_cos) * t76
         limb2_lower_limb_target_z = 0.8 + limb2_upper_position_y
-        limb2_lower_limb_length = np.sqrt(t71 + limb2_lower_limb_target_z * limb2_lower_limb_target_z)
+        limb2_lower_limb_length = np.sqrt(t75 + limb2_lower_limb_target_z * limb2_lower_limb_target_z)
         t84 = 1.0 / limb2_lower_limb_length
         limb2_lower_sin = limb2_lower_limb_target_z * t84
-        t87 = t76 * limb2_U_0_sin + t80 * minus_limb2_U_0_cos
+        t87 = t80 * limb2_U_0_sin + t71 * minus_limb2_U_0_cos
         t88 = limb2_lower_sin * t87
         t91 = limb2_lower_limb_target_y * platform_twist_wz - limb2_lower_limb_target_x * platform_twist_wx
         minus_limb2_lower_cos = limb2_U_0_lever_mz_by_limb2_S_fz * t84
         limb2_lower_omega_z = t84 * (t88 - t91 * minus_limb2_lower_cos)
         minus_limb2_S_opening_rate_fx = minus_limb2_lower_cos * t87 + t91 * limb2_lower_sin
-        # limb3: geometry; reciprocal wrenches, eq. (10); loop closure
+        # limb3: geometry; loop closure; reciprocal wrenches, eq. (10)
         limb3_lower_limb_target_x = t14 + t18
-        t95 = limb3_lower_limb_target_x * limb3_lower_limb_target_x
-        limb3_lower_limb_target_y = t22 + t25
-        t97 = t95 + limb3_lower_limb_target_y * limb3_lower_limb_target_y
-        minus_limb3_U_0_lever_mz_by_limb3_S_fz = np.sqrt(t97)
-        t98 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
-        limb3_upper_position_x = t30 + t31
-        t101 = limb3_upper_position_x * platform_twist_wz - limb3_lower_limb_target_y * platform_twist_wx
-        limb3_U_0_cos = limb3_lower_limb_target_y * t98
-        t102 = t101 * limb3_U_0_cos
-        t105 = limb3_lower_limb_target_x * platform_twist_wx - limb3_upper_position_x * platform_twist_wy
-        minus_limb3_U_0_sin = limb3_lower_limb_target_x * t98
-        minus_limb3_U_0_omega_z = t98 * (t102 - t105 * minus_limb3_U_0_sin)
-        limb3_U_0_omega_z = -minus_limb3_U_0_omega_z
+        t95 = limb3_lower_limb_target_x * platform_twist_wx
+        limb3_upper_position_x = t27 + t28
+        t97 = t95 - limb3_upper_position_x * platform_twist_wy
+        t98 = limb3_lower_limb_target_x * limb3_lower_limb_target_x
+        limb3_lower_limb_target_y = t38 + t41
+        t100 = t98 + limb3_lower_limb_target_y * limb3_lower_limb_target_y
+        minus_limb3_U_0_lever_mz_by_limb3_S_fz = np.sqrt(t100)
+        t101 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
+        minus_limb3_U_0_sin = limb3_lower_limb_target_x * t101
+        t102 = t97 * minus_limb3_U_0_sin
+        t105 = limb3_upper_position_x * platform_twist_wz - limb3_lower_limb_target_y * platform_twist_wx
+        limb3_U_0_cos = limb3_lower_limb_target_y * t101
+        limb3_U_0_omega_z = (t102 - t105 * limb3_U_0_cos) * t101
         minus_limb3_lower_limb_target_z = 0.8 - limb3_upper_position_x
-        limb3_lower_limb_length = np.sqrt(t97 + minus_limb3_lower_limb_target_z * minus_limb3_lower_limb_target_z)
+        limb3_lower_limb_length = np.sqrt(t100 + minus_limb3_lower_limb_target_z * minus_limb3_lower_limb_target_z)
         t109 = 1.0 / limb3_lower_limb_length
         minus_limb3_lower_sin = minus_limb3_lower_limb_target_z * t109
-        t112 = t101 * minus_limb3_U_0_sin + t105 * limb3_U_0_cos
+        t112 = t105 * minus_limb3_U_0_sin + t97 * limb3_U_0_cos
         t113 = minus_limb3_lower_sin * t112
         t116 = limb3_lower_limb_target_y * platform_twist_wy - limb3_lower_limb_target_x * platform_twist_wz
         limb3_lower_cos = minus_limb3_U_0_lever_mz_by_limb3_S_fz * t109
         limb3_lower_omega_z = t109 * (t113 + t116 * limb3_lower_cos)
         minus_limb3_S_opening_rate_fx = limb3_lower_cos * t112 - t116 * minus_limb3_lower_sin
-        # limb4: geometry; loop closure; velocities, eq. (6)
-        limb4_lower_limb_target_x = t25 + t67
-        t120 = limb4_lower_limb_target_x * limb4_lower_limb_target_x
-        limb4_lower_limb_target_y = t31 + t69
-        t122 = t120 + limb4_lower_limb_target_y * limb4_lower_limb_target_y
-        limb4_U_0_lever_mz_by_limb4_S_fz = np.sqrt(t122)
-        t123 = 1.0 / limb4_U_0_lever_mz_by_limb4_S_fz
-        limb4_upper_position_y = t18 + t73
-        t126 = limb4_upper_position_y * platform_twist_wx - limb4_lower_limb_target_y * platform_twist_wy
-        minus_limb4_U_0_cos = limb4_lower_limb_target_y * t123
-        t127 = t126 * minus_limb4_U_0_cos
-        t130 = limb4_lower_limb_target_x * platform_twist_wy - limb4_upper_position_y * platform_twist_wz
-        limb4_U_0_sin = limb4_lower_limb_target_x * t123
-        minus_limb4_U_0_omega_z = t123 * (t127 - t130 * limb4_U_0_sin)
-        limb4_U_0_omega_z = -minus_limb4_U_0_omega_z
+        # limb4: geometry; loop closure; reciprocal wrenches, eq. (10)
+        limb4_lower_limb_target_x = t41 + t67
+        t120 = limb4_lower_limb_target_x * platform_twist_wy
+        limb4_upper_position_y = t18 + t69
+        t122 = t120 - limb4_upper_position_y * platform_twist_wz
+        t123 = limb4_lower_limb_target_x * limb4_lower_limb_target_x
+        limb4_lower_limb_target_y = t28 + t73
+        t125 = t123 + limb4_lower_limb_target_y * limb4_lower_limb_target_y
+        limb4_U_0_lever_mz_by_limb4_S_fz = np.sqrt(t125)
+        t126 = 1.0 / limb4_U_0_lever_mz_by_limb4_S_fz
+        limb4_U_0_sin = limb4_lower_limb_target_x * t126
+        t127 = t122 * limb4_U_0_sin
+        t130 = limb4_upper_position_y * platform_twist_wx - limb4_lower_limb_target_y * platform_twist_wy
+        minus_limb4_U_0_cos = limb4_lower_limb_target_y * t126
+        limb4_U_0_omega_z = (t127 - t130 * minus_limb4_U_0_cos) * t126
         minus_limb4_lower_limb_target_z = 0.8 - limb4_upper_position_y
-        limb4_lower_limb_length = np.sqrt(t122 + minus_limb4_lower_limb_target_z * minus_limb4_lower_limb_target_z)
+        limb4_lower_limb_length = np.sqrt(t125 + minus_limb4_lower_limb_target_z * minus_limb4_lower_limb_target_z)
         t134 = 1.0 / limb4_lower_limb_length
         minus_limb4_lower_sin = minus_limb4_lower_limb_target_z * t134
-        t137 = t126 * limb4_U_0_sin + t130 * minus_limb4_U_0_cos
+        t137 = t130 * limb4_U_0_sin + t122 * minus_limb4_U_0_cos
         t138 = minus_limb4_lower_sin * t137
         t141 = limb4_lower_limb_target_y * platform_twist_wz - limb4_lower_limb_target_x * platform_twist_wx
         minus_limb4_lower_cos = limb4_U_0_lever_mz_by_limb4_S_fz * t134
@@ -11983,11 +11893,11 @@ def inverse_velocity(*arguments):
             (minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-10),
             (limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-10), (limb4_U_0_lever_mz_by_limb4_S_fz,
             6.62327e-10), (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-10)),
-            (minus_limb1_U_0_omega_z, limb1_lower_limb_length, minus_limb1_lower_omega_z,
-            minus_limb1_U2_opening_rate_fx, minus_limb2_U_0_omega_z, limb2_lower_limb_length,
-            limb2_lower_omega_z, minus_limb2_S_opening_rate_fx, minus_limb3_U_0_omega_z,
+            (limb1_U_0_omega_z, limb1_lower_limb_length, minus_limb1_lower_omega_z,
+            minus_limb1_U2_opening_rate_fx, limb2_U_0_omega_z, limb2_lower_limb_length,
+            limb2_lower_omega_z, minus_limb2_S_opening_rate_fx, limb3_U_0_omega_z,
             limb3_lower_limb_length, limb3_lower_omega_z, minus_limb3_S_opening_rate_fx,
-            minus_limb4_U_0_omega_z, limb4_lower_limb_length, minus_limb4_lower_omega_z,
+            limb4_U_0_omega_z, limb4_lower_limb_length, minus_limb4_lower_omega_z,
             minus_limb4_S_opening_rate_fx), ((t7, 0.999999, 1.000001, 5), (t150, None, 1.0e-12, 6)))
 
 

@@ -132,7 +132,8 @@ STAGE(joint_reactions, 3)(size_t limb, size_t stride, double *restrict reactions
 {
     (void)limb, (void)stride;
     const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), factor_2 = OF4(-1.0, -2.0, 2.0, 2.0),
-      sign2 = OF4(1.0, -1.0, -1.0, 1.0), sign3 = OF4(1.0, -1.0, 1.0, -1.0);
+      sign2 = OF4(1.0, -1.0, 1.0, 1.0), each_param_R = -sign2 * param_R, sign3 = OF4(1.0, -1.0, -1.0, 1.0),
+      sign4 = OF4(1.0, -1.0, 1.0, -1.0), sign5 = OF4(1.0, 1.0, 1.0, -1.0);
     const LIMB4 t66 = sign1 * IN_EACH4(SINES, cosine, 1, 2), signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
     /* each limb: balance, eqs. (40)-(47) */
     const LIMB4 t63 = t66 * OWN(S_multiplier_fx) + signed_lower_sin * GIVEN(minus_S_multiplier_fy),
@@ -156,32 +157,32 @@ STAGE(joint_reactions, 3)(size_t limb, size_t stride, double *restrict reactions
     const LIMB4 signed_lower_rotation_zy = U_0_cos * signed_lower_sin,
       t53 = signed_lower_rotation_zy * GIVEN(minus_S_multiplier_fy),
       signed_S_reaction_fz = OWN(signed_lower_rotation_zx) * OWN(S_multiplier_fx) + t53 - t51;
-    WRITE4(reactions, 14, 32, 50, 68, -sign2 * signed_S_reaction_fz);
+    WRITE4(reactions, 14, 32, 50, 68, -sign3 * signed_S_reaction_fz);
     const LIMB4 t57 = signed_upper_position_x * signed_S_reaction_fz,
       t56 = signed_upper_position_y * signed_S_reaction_fz,
       signed_upper_position_z = OWN(upper_offset_x) * OWN(signed_lower_rotation_zx);
     OWN(S_reaction_mx) = t57 - signed_upper_position_z * OWN(signed_S_reaction_fy);
     OWN(S_reaction_my) = t56 - signed_upper_position_z * signed_S_reaction_fx;
     const LIMB4 upper_sent_fy = GIVEN(minus_S_multiplier_fy) - OWN(minus_upper_rate_fy),
-      t20 = signed_lower_rotation_yy * upper_sent_fy, t30 = signed_lower_rotation_yy * OWN(signed_upper_rate_my_2),
+      t20 = signed_lower_rotation_yy * upper_sent_fy, t33 = signed_lower_rotation_yy * OWN(signed_upper_rate_my_2),
       signed_upper_sent_fz = OWN(signed_upper_rate_fz) - GIVEN(signed_S_multiplier_fz),
       signed_P_reaction_fy = t20 - U_0_cos * signed_upper_sent_fz;
     WRITE4(reactions, 7, 24, 43, 60, sign1 * signed_P_reaction_fy);
     const LIMB4 t38 = signed_upper_position_x * signed_P_reaction_fy,
       t23 = signed_upper_position_z * signed_P_reaction_fy, signed_P_reaction_fx = t66 * upper_sent_fy;
     WRITE4(reactions, 6, 25, 42, 61, sign1 * signed_P_reaction_fx);
-    const LIMB4 t35 = signed_upper_position_z * signed_P_reaction_fx,
+    const LIMB4 t29 = signed_upper_position_z * signed_P_reaction_fx,
       t39 = signed_upper_position_y * signed_P_reaction_fx + t38,
       t41 = signed_lower_rotation_zy * OWN(signed_upper_rate_my_2), t22 = signed_lower_rotation_zy * upper_sent_fy,
-      lower_sent_fy = OWN(lower_rate_fy_2) + upper_sent_fy, t67 = sign1 * GIVEN(upper_rate_mx_2),
-      signed_P_reaction_mz = t39 - (signed_U_0_sin * GIVEN(minus_upper_rate_mz_2) - (t41 + OWN(signed_lower_rotation_zx) * t67));
-    WRITE4(reactions, 11, 29, 47, 65, sign3 * signed_P_reaction_mz);
+      lower_sent_fy = OWN(lower_rate_fy_2) + upper_sent_fy, t68 = sign1 * GIVEN(upper_rate_mx_2),
+      signed_P_reaction_mz = t39 - (signed_U_0_sin * GIVEN(minus_upper_rate_mz_2) - (t41 + OWN(signed_lower_rotation_zx) * t68));
+    WRITE4(reactions, 11, 29, 47, 65, sign4 * signed_P_reaction_mz);
     LIMB4 checked = OWN(checked) + signed_P_reaction_mz;
     const LIMB4 signed_P_reaction_fz = signed_U_0_sin * signed_upper_sent_fz + t22;
-    WRITE4(reactions, 8, 26, 44, 62, -sign2 * signed_P_reaction_fz);
-    const LIMB4 t36 = signed_upper_position_x * signed_P_reaction_fz + t35,
-      t25 = t23 - signed_upper_position_y * signed_P_reaction_fz, t27 = signed_lower_sin * t67,
-      P_reaction_my = t36 - (U_0_cos * GIVEN(minus_upper_rate_mz_2) + (t30 + OWN(signed_lower_rotation_yx) * t67));
+    WRITE4(reactions, 8, 26, 44, 62, -sign3 * signed_P_reaction_fz);
+    const LIMB4 t31 = t29 + signed_upper_position_x * signed_P_reaction_fz,
+      t25 = t23 - signed_upper_position_y * signed_P_reaction_fz, t27 = signed_lower_sin * t68,
+      P_reaction_my = t31 - (U_0_cos * GIVEN(minus_upper_rate_mz_2) + (t33 + OWN(signed_lower_rotation_yx) * t68));
     WRITE4(reactions, 10, 27, 46, 63, P_reaction_my);
     checked = checked + P_reaction_my;
     const LIMB4 P_reaction_mx = t27 - t66 * OWN(signed_upper_rate_my_2) - t25;
@@ -196,18 +197,18 @@ STAGE(joint_reactions, 3)(size_t limb, size_t stride, double *restrict reactions
       lower_joint_sent_my = t12 - signed_lower_sin * signed_lower_sent_mx;
     WRITE4(reactions, 3, 22, 39, 58, lower_joint_sent_my);
     checked = checked + lower_joint_sent_my;
-    const LIMB4 t17 = U_0_cos * minus_lower_joint_sent_mx, t16 = signed_U_0_sin * minus_lower_joint_sent_mx,
+    const LIMB4 t67 = sign2 * (U_0_cos * minus_lower_joint_sent_mx), t16 = signed_U_0_sin * minus_lower_joint_sent_mx,
       t1 = t66 * lower_sent_fy,
       signed_lower_joint_sent_fx = t66 * OWN(minus_lower_sent_fx) + signed_lower_sin * lower_sent_fy,
       t7 = U_0_cos * signed_lower_joint_sent_fx,
       signed_U_0_joint_sent_fx = signed_U_0_sin * signed_lower_joint_sent_fx + U_0_cos * signed_lower_sent_fz;
     WRITE4(reactions, 1, 18, 37, 54, sign1 * signed_U_0_joint_sent_fx);
-    const LIMB4 signed_U_reaction_mz = t17 + param_R * signed_U_0_joint_sent_fx;
-    WRITE4(reactions, 5, 23, 41, 59, -sign3 * signed_U_reaction_mz);
+    const LIMB4 signed_U_reaction_mz = each_param_R * signed_U_0_joint_sent_fx - t67;
+    WRITE4(reactions, 5, 23, 41, 59, sign5 * signed_U_reaction_mz);
     checked = checked + signed_U_reaction_mz;
-    const LIMB4 signed_U_0_joint_sent_fy = signed_U_0_sin * signed_lower_sent_fz - t7;
-    WRITE4(reactions, 2, 20, 38, 56, sign2 * signed_U_0_joint_sent_fy);
-    const LIMB4 U_reaction_my = param_R * signed_U_0_joint_sent_fy + t16;
+    const LIMB4 signed_U_0_joint_sent_fy = t7 - signed_U_0_sin * signed_lower_sent_fz;
+    WRITE4(reactions, 2, 20, 38, 56, -sign3 * signed_U_0_joint_sent_fy);
+    const LIMB4 U_reaction_my = (-param_R) * signed_U_0_joint_sent_fy + t16;
     WRITE4(reactions, 4, 21, 40, 57, U_reaction_my);
     checked = checked + U_reaction_my;
     const LIMB4 signed_lower_joint_sent_fy = t1 - signed_lower_sin * OWN(minus_lower_sent_fx);
