@@ -102,6 +102,8 @@ def test_beyond_a_limit_nothing_is_packed(
         (packs, "HOPELESS", 9.0),
         (packs, "LIKELY", 9.0),
         (packs, "NEAR", 9.0),
+        (packs, "HARDLY", 0.0),
+        (packs, "HARDLY", 9.0),
         (pack_plan, "ROUNDS_OF_UNDOING", 0),
         (pack_plan, "GATHERED", 0.1),
         (pack_plan, "TAKEN_OUT", 9.0),
