@@ -182,13 +182,15 @@ BODY(three_ups_upu_s_inverse_dynamics)(size_t stride, const double *restrict q, 
 }
 #endif
 
-#if !defined(THREE_UPS_UPU_S_LANES)
+#if !defined(THREE_UPS_UPU_S_LANES) || THREE_UPS_UPU_S_LANES == 4
 typedef struct {
     EACH4 signed_S_arm_y, upper_offset_x, minus_U_0_lever_mz_by_S_fz, t1, S_arm_x, t2,
       signed_limb5_S_balance_wy_by_P, signed_limb5_S_balance_wx_by_P, t3, t4, t5, signed_upper_position_x,
       t6, signed_P_joint_rate, signed_U_joint_rate_1, t7, t8, t9, t10, t11, signed_lower_omega_y,
-      minus_lower_omega_x, minus_lower_alpha_still_x, t12, t13, t14, t15, t16, t17, minus_lower_U_still_xx,
-      minus_U_0_acc_y, minus_upper_acc_still_x, t18, t19, upper_rate_fx, t20, t21, t22, t23, checked;
+      minus_lower_omega_x, minus_lower_alpha_still_x, t12, t13, t14, t15, t16, t17, signed_upper_moment_y,
+      signed_lower_alpha_still_y, t18, t19, signed_U_0_acc_x, minus_lower_U_still_xx, minus_U_0_acc_y,
+      minus_upper_acc_still_x, t20, t21, upper_rate_fx, signed_lower_U_still_xy, t22, signed_lower_acc_y,
+      t23, t24, t25, t26, checked;
 } LIMBS(inverse_dynamics_independent);
 
 STAGE(inverse_dynamics_independent, 0)(size_t limb, size_t stride, const double *restrict q,
@@ -211,16 +213,17 @@ STAGE(inverse_dynamics_independent, 0)(size_t limb, size_t stride, const double 
 }
 
 STAGE(inverse_dynamics_independent, 1)(size_t limb, size_t stride, const double *restrict sine,
-    const double *restrict cosine, REAL given, REAL platform_joint_force_mx_by_limb1_U2_mn,
-    REAL platform_joint_force_mx_by_U2_mn, REAL given_2, REAL given_3, REAL limb5_S_joint_rate_wz,
-    REAL signed_limb5_S_joint_rate_wy, LIMBS(inverse_dynamics_independent) *own)
+    const double *restrict cosine, REAL given, const EACH4 platform_joint_force_mx_by_limb1_U2_mn,
+    const EACH4 platform_joint_force_mx_by_U2_mn, REAL given_2, const EACH4 given_3,
+    REAL limb5_S_joint_rate_wz, const EACH4 signed_limb5_S_joint_rate_wy,
+    LIMBS(inverse_dynamics_independent) *own)
 {
     (void)limb, (void)stride;
     const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0), sign2 = OF4(1.0, -1.0, -1.0, 1.0),
       each_param_R = sign2 * param_R;
     const LIMB4 signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2), U_0_cos = IN_EACH4(SINES, cosine, 0, 2);
     /* each limb: velocities, eq. (6) */
-    const LIMB4 t6 = signed_U_0_sin * limb5_S_joint_rate_wz + U_0_cos * signed_limb5_S_joint_rate_wy;
+    const LIMB4 t6 = signed_U_0_sin * limb5_S_joint_rate_wz + U_0_cos * GIVEN(signed_limb5_S_joint_rate_wy);
     OWN(signed_U_joint_rate_1) = OWN(t2) * (OWN(S_arm_x) * t6);
     OWN(signed_P_joint_rate) = OWN(signed_S_arm_y) * t6;
     const LIMB4 t22 = sign2 * OWN(signed_P_joint_rate);
@@ -232,15 +235,15 @@ STAGE(inverse_dynamics_independent, 1)(size_t limb, size_t stride, const double 
     const LIMB4 t20 = t23 * t22 + t19;
     OWN(t13) = lower_cos * t22 - OWN(upper_offset_x) * OWN(t12);
     const LIMB4 t21 = sign1 * given_2, t2 = signed_U_0_sin * t21;
-    OWN(t9) = U_0_cos * t21 - signed_U_0_sin * given_3;
+    OWN(t9) = U_0_cos * t21 - signed_U_0_sin * GIVEN(given_3);
     OWN(t15) = t20 * OWN(t9);
-    const LIMB4 t15 = OWN(signed_upper_position_x) * (U_0_cos * limb5_S_joint_rate_wz - signed_U_0_sin * signed_limb5_S_joint_rate_wy);
+    const LIMB4 t15 = OWN(signed_upper_position_x) * (U_0_cos * limb5_S_joint_rate_wz - signed_U_0_sin * GIVEN(signed_limb5_S_joint_rate_wy));
     OWN(t10) = OWN(t1) * t15;
-    OWN(t6) = t2 + U_0_cos * given_3;
+    OWN(t6) = t2 + U_0_cos * GIVEN(given_3);
     OWN(t7) = OWN(t6) * t9;
     const LIMB4 signed_limb1_U2_part_mn_by_P = signed_U_0_sin * OWN(signed_S_arm_y) * given,
-      t1 = platform_joint_force_mx_by_limb1_U2_mn * signed_limb1_U2_part_mn_by_P;
-    OWN(signed_limb5_S_balance_wx_by_P) = platform_joint_force_mx_by_U2_mn * signed_limb1_U2_part_mn_by_P;
+      t1 = GIVEN(platform_joint_force_mx_by_limb1_U2_mn) * signed_limb1_U2_part_mn_by_P;
+    OWN(signed_limb5_S_balance_wx_by_P) = GIVEN(platform_joint_force_mx_by_U2_mn) * signed_limb1_U2_part_mn_by_P;
     OWN(t4) = OWN(signed_limb5_S_balance_wx_by_P) * OWN(signed_limb5_S_balance_wx_by_P);
     OWN(signed_limb5_S_balance_wy_by_P) = U_0_cos * OWN(signed_S_arm_y) + t1;
     OWN(t3) = OWN(signed_limb5_S_balance_wy_by_P) * OWN(signed_limb5_S_balance_wx_by_P);
@@ -248,28 +251,28 @@ STAGE(inverse_dynamics_independent, 1)(size_t limb, size_t stride, const double 
 }
 
 STAGE(inverse_dynamics_independent, 2)(size_t limb, size_t stride, const double *restrict sine,
-    const double *restrict cosine, REAL signed_U_joint_rate_0, REAL given,
+    const double *restrict cosine, const EACH4 signed_U_joint_rate_0, const EACH4 given,
     LIMBS(inverse_dynamics_independent) *own)
 {
     (void)limb, (void)stride;
     const NUMBER4 sign1 = OF4(1.0, -1.0, -1.0, 1.0), sign2 = OF4(1.0, -1.0, 1.0, -1.0),
       each_gravity_z = -sign2 * gravity_z;
     /* each limb: accelerations; velocities, eq. (6) */
-    OWN(t11) = OWN(t9) * signed_U_joint_rate_0;
+    OWN(t11) = OWN(t9) * GIVEN(signed_U_joint_rate_0);
     const LIMB4 lower_cos = IN_EACH4(SINES, cosine, 1, 2);
-    OWN(signed_lower_omega_y) = lower_cos * signed_U_joint_rate_0;
+    OWN(signed_lower_omega_y) = lower_cos * GIVEN(signed_U_joint_rate_0);
     OWN(minus_lower_alpha_still_x) = OWN(signed_U_joint_rate_1) * OWN(signed_lower_omega_y);
     const LIMB4 t3 = OWN(signed_lower_omega_y) * OWN(signed_lower_omega_y);
     OWN(minus_lower_U_still_xx) = OWN(signed_U_joint_rate_1) * OWN(signed_U_joint_rate_1) + t3;
     const LIMB4 minus_upper_acc_still_x = OWN(upper_offset_x) * OWN(minus_lower_U_still_xx);
     OWN(minus_U_0_acc_y) = each_gravity_z * IN_EACH4(SINES, cosine, 0, 2);
     OWN(minus_upper_acc_still_x) = lower_cos * OWN(minus_U_0_acc_y) + minus_upper_acc_still_x;
-    OWN(t14) = OWN(t13) * (given + sign2 * signed_U_joint_rate_0);
-    OWN(minus_lower_omega_x) = sign1 * IN_EACH4(SINES, sine, 1, 2) * signed_U_joint_rate_0;
+    OWN(t14) = OWN(t13) * (GIVEN(given) + sign2 * GIVEN(signed_U_joint_rate_0));
+    OWN(minus_lower_omega_x) = sign1 * IN_EACH4(SINES, sine, 1, 2) * GIVEN(signed_U_joint_rate_0);
 }
 
 STAGE(inverse_dynamics_independent, 3)(size_t limb, size_t stride, const double *restrict sine,
-    const double *restrict cosine, REAL given, REAL signed_limb5_S_joint_acc_wy,
+    const double *restrict cosine, REAL given, const EACH4 signed_limb5_S_joint_acc_wy,
     REAL limb5_S_joint_acc_still_wz, LIMBS(inverse_dynamics_independent) *own)
 {
     (void)limb, (void)stride;
@@ -277,63 +280,79 @@ STAGE(inverse_dynamics_independent, 3)(size_t limb, size_t stride, const double 
       sign2 = OF4(1.0, -1.0, -1.0, 1.0);
     const LIMB4 U_0_cos = IN_EACH4(SINES, cosine, 0, 2), signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2);
     /* each limb: accelerations; balance, eqs. (40)-(47); momentum rate, eq. (35) */
-    OWN(t16) = U_0_cos * given - signed_U_0_sin * signed_limb5_S_joint_acc_wy;
-    OWN(t18) = signed_U_0_sin * given + U_0_cos * signed_limb5_S_joint_acc_wy;
-    OWN(t19) = signed_U_0_sin * limb5_S_joint_acc_still_wz;
-    const LIMB4 t11 = sign2 * (OWN(signed_S_arm_y) * (OWN(t11) - (OWN(t18) + OWN(t19)))),
+    OWN(t16) = U_0_cos * given - signed_U_0_sin * GIVEN(signed_limb5_S_joint_acc_wy);
+    OWN(t20) = signed_U_0_sin * given + U_0_cos * GIVEN(signed_limb5_S_joint_acc_wy);
+    OWN(t21) = signed_U_0_sin * limb5_S_joint_acc_still_wz;
+    const LIMB4 t11 = sign2 * (OWN(signed_S_arm_y) * (OWN(t11) - (OWN(t20) + OWN(t21)))),
       minus_lower_force_x = limb_lower_m * (OWN(minus_upper_acc_still_x) + (OWN(t6) * (each_param_R * OWN(t12)) + t11));
     OWN(upper_rate_fx) = limb_lower_mx * OWN(minus_lower_U_still_xx) - minus_lower_force_x;
 }
 
 STAGE(inverse_dynamics_independent, 4)(size_t limb, size_t stride, const double *restrict sine,
-    const double *restrict cosine, REAL given, REAL signed_limb5_S_joint_acc_wx, REAL given_2, REAL given_3,
     LIMBS(inverse_dynamics_independent) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), each_k4 = -sign1 * k4, sign2 = OF4(1.0, -1.0, -1.0, 1.0),
-      sign3 = OF4(1.0, 1.0, -1.0, 1.0);
-    /* each limb: accelerations; momentum rate, eq. (35) */
-    const LIMB4 signed_U_joint_acc_0 = signed_limb5_S_joint_acc_wx - OWN(t1) * (sign1 * given),
-      lower_cos = IN_EACH4(SINES, cosine, 1, 2), signed_lower_U_xz = lower_cos * signed_U_joint_acc_0,
-      signed_U_0_rate_mz = each_k4 * signed_U_joint_acc_0,
-      signed_lower_alpha_still_y = OWN(signed_U_joint_rate_1) * OWN(minus_lower_omega_x),
-      signed_lower_alpha_y = signed_lower_U_xz - signed_lower_alpha_still_y,
-      signed_lower_U_zx = signed_lower_alpha_still_y - signed_lower_alpha_y,
-      signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2);
-    /* each limb: balance, eqs. (40)-(47); momentum rate, eq. (35); accelerations */
-    const LIMB4 t5 = k10 * signed_lower_alpha_still_y - k9 * signed_lower_alpha_y,
-      signed_lower_rate_fz = limb_lower_mx * signed_lower_U_zx,
-      t10 = gravity_z * signed_U_0_sin - OWN(upper_offset_x) * signed_lower_U_zx,
-      signed_upper_acc_z = sign2 * OWN(signed_P_joint_rate) * (2.0 * OWN(signed_lower_omega_y)) + t10,
-      t11 = OWN(upper_offset_x) * (signed_lower_rate_fz + limb_lower_m * signed_upper_acc_z),
-      t13 = lower_cos * (gravity_z_limb_lower_mx * signed_U_0_sin - t5 + (t11 - limb_lower_mx * signed_upper_acc_z)),
-      t22 = sign2 * IN_EACH4(SINES, sine, 1, 2),
-      signed_S_multiplier_fz = OWN(t1) * (signed_U_0_rate_mz - sign1 * (t22 * (k11 * OWN(minus_lower_alpha_still_x)) + t13)),
-      t25 = sign2 * (OWN(signed_S_arm_y) * signed_S_multiplier_fz), t15 = OWN(S_arm_x) * signed_S_multiplier_fz,
-      t20 = t22 * t25;
-    OWN(t17) = t22 * t15 - lower_cos * t25;
-    OWN(t23) = lower_cos * t15 + t20;
-    OWN(t20) = sign3 * given_2 + given_3;
+    const NUMBER4 sign1 = OF4(1.0, -1.0, -1.0, 1.0);
+    const LIMB4 signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2);
+    /* each limb: balance, eqs. (40)-(47); accelerations */
+    OWN(signed_upper_moment_y) = gravity_z_limb_lower_mx * signed_U_0_sin;
+    OWN(signed_U_0_acc_x) = gravity_z * signed_U_0_sin;
+    const LIMB4 t3 = sign1 * IN_EACH4(SINES, sine, 1, 2);
+    OWN(signed_lower_acc_y) = t3 * OWN(minus_U_0_acc_y);
+    OWN(t17) = t3 * (k11 * OWN(minus_lower_alpha_still_x));
+    OWN(signed_lower_alpha_still_y) = OWN(signed_U_joint_rate_1) * OWN(minus_lower_omega_x);
+    OWN(t18) = k10 * OWN(signed_lower_alpha_still_y);
+    const LIMB4 t4 = sign1 * OWN(signed_P_joint_rate);
+    OWN(t19) = t4 * (2.0 * OWN(signed_lower_omega_y));
+    OWN(t22) = t4 * (2.0 * OWN(signed_U_joint_rate_1));
+    OWN(signed_lower_U_still_xy) = OWN(signed_lower_omega_y) * OWN(minus_lower_omega_x);
+    OWN(t23) = k9 * OWN(signed_lower_U_still_xy);
 }
 
 STAGE(inverse_dynamics_independent, 5)(size_t limb, size_t stride, const double *restrict sine,
-    const double *restrict cosine, REAL given, LIMBS(inverse_dynamics_independent) *own)
+    const double *restrict cosine, const EACH4 given, const EACH4 signed_limb5_S_joint_acc_wx,
+    const EACH4 given_2, LIMBS(inverse_dynamics_independent) *own)
+{
+    (void)limb, (void)stride;
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), each_k4 = -sign1 * k4, sign2 = OF4(1.0, -1.0, -1.0, 1.0);
+    /* each limb: accelerations; momentum rate, eq. (35) */
+    const LIMB4 signed_U_joint_acc_0 = GIVEN(signed_limb5_S_joint_acc_wx) - OWN(t1) * (sign1 * GIVEN(given)),
+      lower_cos = IN_EACH4(SINES, cosine, 1, 2),
+      signed_lower_alpha_y = lower_cos * signed_U_joint_acc_0 - OWN(signed_lower_alpha_still_y),
+      signed_U_0_rate_mz = each_k4 * signed_U_joint_acc_0,
+      signed_lower_U_zx = OWN(signed_lower_alpha_still_y) - signed_lower_alpha_y;
+    /* each limb: balance, eqs. (40)-(47); accelerations */
+    const LIMB4 t4 = OWN(signed_upper_moment_y) - (OWN(t18) - k9 * signed_lower_alpha_y),
+      signed_upper_acc_z = OWN(t19) + (OWN(signed_U_0_acc_x) - OWN(upper_offset_x) * signed_lower_U_zx),
+      t7 = OWN(upper_offset_x) * (limb_lower_mx * signed_lower_U_zx + limb_lower_m * signed_upper_acc_z),
+      t34 = sign1 * (OWN(t17) + lower_cos * (t4 + (t7 - limb_lower_mx * signed_upper_acc_z))),
+      signed_S_multiplier_fz = OWN(t1) * (signed_U_0_rate_mz - t34),
+      t36 = sign2 * (OWN(signed_S_arm_y) * signed_S_multiplier_fz), t11 = OWN(S_arm_x) * signed_S_multiplier_fz,
+      t14 = lower_cos * t36, t35 = sign2 * IN_EACH4(SINES, sine, 1, 2), t32 = t35 * t36, t15 = t35 * t11 - t14;
+    OWN(t26) = lower_cos * t11 + t32;
+    const LIMB4 U_0_cos = IN_EACH4(SINES, cosine, 0, 2), signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2),
+      t16 = U_0_cos * t15, t29 = signed_U_0_sin * t15, signed_U_joint_acc_1 = OWN(t2) * GIVEN(given_2),
+      signed_lower_U_yx = OWN(signed_lower_U_still_xy) + signed_U_joint_acc_1,
+      t24 = OWN(t23) + k10 * signed_U_joint_acc_1,
+      signed_upper_acc_y = OWN(t22) + (OWN(signed_lower_acc_y) + OWN(upper_offset_x) * signed_lower_U_yx),
+      t20 = OWN(upper_offset_x) * (limb_lower_mx * signed_lower_U_yx - limb_lower_m * signed_upper_acc_y),
+      t26 = OWN(S_arm_x) * (OWN(t2) * (t20 - (limb_lower_mx * (OWN(signed_lower_acc_y) - signed_upper_acc_y) + t24))),
+      t27 = OWN(signed_S_arm_y) * OWN(upper_rate_fx) - sign2 * t26;
+    OWN(t24) = t16 - signed_U_0_sin * t27;
+    OWN(t25) = t29 + U_0_cos * t27;
+}
+
+STAGE(inverse_dynamics_independent, 6)(size_t limb, size_t stride, double *restrict u, const EACH4 given,
+    const EACH4 given_2, LIMBS(inverse_dynamics_independent) *own)
 {
     (void)limb, (void)stride;
     const NUMBER4 sign1 = OF4(1.0, -1.0, -1.0, 1.0);
-    /* each limb: accelerations; balance, eqs. (40)-(47); momentum rate, eq. (35) */
-    const LIMB4 signed_lower_U_still_xy = OWN(signed_lower_omega_y) * OWN(minus_lower_omega_x),
-      signed_U_joint_acc_1 = OWN(t2) * given, signed_lower_U_yx = signed_lower_U_still_xy + signed_U_joint_acc_1,
-      t12 = k9 * signed_lower_U_still_xy + k10 * signed_U_joint_acc_1, t5 = OWN(upper_offset_x) * signed_lower_U_yx,
-      signed_lower_rate_fy = limb_lower_mx * signed_lower_U_yx,
-      signed_lower_acc_y = sign1 * IN_EACH4(SINES, sine, 1, 2) * OWN(minus_U_0_acc_y),
-      signed_upper_acc_y = sign1 * OWN(signed_P_joint_rate) * (2.0 * OWN(signed_U_joint_rate_1)) + (signed_lower_acc_y + t5),
-      t7 = OWN(upper_offset_x) * (signed_lower_rate_fy - limb_lower_m * signed_upper_acc_y),
-      t14 = OWN(S_arm_x) * (OWN(t2) * (t7 - (limb_lower_mx * (signed_lower_acc_y - signed_upper_acc_y) + t12))),
-      t15 = OWN(signed_S_arm_y) * OWN(upper_rate_fx) - sign1 * t14, signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2),
-      U_0_cos = IN_EACH4(SINES, cosine, 0, 2), t18 = U_0_cos * t15;
-    OWN(t21) = U_0_cos * OWN(t17) - signed_U_0_sin * t15;
-    OWN(t22) = signed_U_0_sin * OWN(t17) + t18;
+    /* each limb: drives */
+    const LIMB4 t1 = OWN(signed_limb5_S_balance_wy_by_P) * GIVEN(given),
+      signed_P_drive = t1 + OWN(signed_limb5_S_balance_wx_by_P) * GIVEN(given_2);
+    WRITE4(u, 0, 1, 2, 3, -sign1 * signed_P_drive);
+    LIMB4 checked = OWN(checked) + signed_P_drive;
+    OWN(checked) = checked;
 }
 
 BODY(three_ups_upu_s_inverse_dynamics_independent)(size_t stride, const double *restrict q,
@@ -359,7 +378,6 @@ BODY(three_ups_upu_s_inverse_dynamics_independent)(size_t stride, const double *
     /* limb1: reciprocal wrenches, eq. (10); rates that follow; balance, eqs. (40)-(47) */
     const REAL limb1_U2_constraint_mn_couple_z = t28 - limb1_lower_sin * platform_turn_xy;
     FIRST_LIMB(0, inverse_dynamics_independent, 0, stride, q, sine, cosine, &limbs);
-    REAL checked0 = ALONE(limbs.checked[0]);
     const REAL limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * limbs.t2[0],
       minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limbs.S_arm_x[0] * limb1_U_factor_1_by_3,
       t37 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3, t34 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3,
@@ -369,7 +387,7 @@ BODY(three_ups_upu_s_inverse_dynamics_independent)(size_t stride, const double *
       minus_limb1_U2_factor_1_by_3 = limb1_lower_cos * limb1_U2_constraint_mn_couple_x + t55;
     /* limb5_S: pivots; rates that follow */
     const REAL minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + t37;
-    REAL checked1 = minus_limb5_S_pivot_wz;
+    REAL checked0 = minus_limb5_S_pivot_wz;
     const REAL t57 = 1.0 / minus_limb5_S_pivot_wz,
       t59 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t34, /* limb1 */
       limb5_S_null_space_wz_by_limb5_S_wy = t57 * t59;
@@ -378,43 +396,59 @@ BODY(three_ups_upu_s_inverse_dynamics_independent)(size_t stride, const double *
       t62 = 0.5 * (t52 - t60), t53 = 0.5 * t52, t63 = t53 * t62, t66 = limb5_S_q_qx * t51,
       t67 = t66 * limb5_S_null_space_wz_by_limb5_S_wy, t64 = limb5_S_q_qw * t51, t69 = 0.5 * (t64 + t67),
       t65 = 0.5 * t64, a_pivot = t63 + t65 * t69;
-    REAL checked2 = a_pivot;
+    REAL checked1 = a_pivot;
     const REAL t71 = 1.0 / a_pivot, limb5_S_y_dot_qy = READ(y_dot, 1), limb5_S_y_dot_qx = READ(y_dot, 0),
       limb5_S_joint_rate_wy = (t65 * limb5_S_y_dot_qy + t53 * limb5_S_y_dot_qx) * t71,
       limb5_S_joint_rate_wz = t57 * (t59 * limb5_S_joint_rate_wy), t88 = platform_turn_zy * limb5_S_joint_rate_wz,
       t89 = platform_turn_yy * limb5_S_joint_rate_wy,
       minus_limb5_S_joint_rate_wx = t71 * (limb5_S_y_dot_qy * t62 - limb5_S_y_dot_qx * t69),
       platform_omega_y = t88 + (t89 - platform_turn_xy * minus_limb5_S_joint_rate_wx),
-      t92 = platform_turn_zy * platform_omega_y, platform_turn_zx = t80 - t81, platform_turn_xz = t80 + t81,
+      t110 = platform_turn_yy * platform_omega_y, platform_turn_zx = t80 - t81, platform_turn_xz = t80 + t81,
       t93 = platform_turn_zx * limb5_S_joint_rate_wz,
       platform_omega_x = t93 + (platform_turn_yx * limb5_S_joint_rate_wy - platform_turn_xx * minus_limb5_S_joint_rate_wx),
-      t99 = t92 + platform_turn_zx * platform_omega_x, t78 = platform_turn_zz * limb5_S_joint_rate_wz,
+      t112 = t110 + platform_turn_yx * platform_omega_x, t78 = platform_turn_zz * limb5_S_joint_rate_wz,
       platform_omega_z = t78 + (platform_turn_yz * limb5_S_joint_rate_wy - platform_turn_xz * minus_limb5_S_joint_rate_wx),
-      t100 = platform_turn_zz * platform_omega_z + t99,
-      t112 = platform_turn_yy * platform_omega_y + platform_turn_yx * platform_omega_x,
       t113 = platform_turn_yz * platform_omega_z + t112,
-      t19 = limb1_U2_constraint_mn_couple_x - limbs.signed_S_arm_y[0] * minus_limb1_U_factor_0_by_3, /* limb1 */
+      t104 = platform_turn_xy * platform_omega_y + platform_turn_xx * platform_omega_x,
+      t105 = platform_turn_xz * platform_omega_z + t104;
+    const EACH4 given_3 = {t113, t105, t113, t105};
+    const REAL t266 = k13 * (platform_omega_z * platform_omega_y),
+      t99 = platform_turn_zy * platform_omega_y + platform_turn_zx * platform_omega_x,
+      platform_U_still_xz = platform_omega_z * platform_omega_x, t100 = platform_turn_zz * platform_omega_z + t99,
+      t258 = k13 * platform_U_still_xz;
+    const EACH4 signed_limb5_S_joint_rate_wy = {limb5_S_joint_rate_wy, minus_limb5_S_joint_rate_wx, limb5_S_joint_rate_wy, minus_limb5_S_joint_rate_wx};
+    const REAL t19 = limb1_U2_constraint_mn_couple_x - limbs.signed_S_arm_y[0] * minus_limb1_U_factor_0_by_3, /* limb1 */
       t20 = limb1_lower_cos * t19, /* limb1 */
       t39 = limb1_lower_sin * t19, /* limb1 */
       t21 = limbs.S_arm_x[0] * minus_limb1_U_factor_0_by_3, /* limb1 */
       t23 = t20 + limb1_lower_sin * t21, /* limb1 */
       platform_joint_force_mx_by_limb1_U2_mn = t39 - limb1_lower_cos * t21,
       platform_joint_force_mz_by_limb1_U2_mn = limb1_U_0_cos * t23 + t37;
-    REAL checked3 = platform_joint_force_mz_by_limb1_U2_mn;
+    REAL checked2 = platform_joint_force_mz_by_limb1_U2_mn;
     const REAL t38 = 1.0 / platform_joint_force_mz_by_limb1_U2_mn, t35 = limb1_U_0_sin * t23 - t34;
-    FIRST_LIMB(0, inverse_dynamics_independent, 1, stride, sine, cosine, t38, t35, platform_joint_force_mx_by_limb1_U2_mn, t100, t113, limb5_S_joint_rate_wz, limb5_S_joint_rate_wy, &limbs);
-    const REAL t143 = limb1_lower_sin * limbs.t9[0], /* limb1 */
-      t262 = k13 * (platform_omega_z * platform_omega_y),
-      t104 = platform_turn_xy * platform_omega_y + platform_turn_xx * platform_omega_x,
-      platform_U_still_xz = platform_omega_z * platform_omega_x, t105 = platform_turn_xz * platform_omega_z + t104,
-      t254 = k13 * platform_U_still_xz;
-    /* limb1: loop closure; velocities, eq. (6) */
-    const REAL t144 = limb1_lower_cos * t105 - t143,
-      minus_limb1_U_joint_rate_0 = minus_limb5_S_joint_rate_wx + limbs.t10[0];
-    FIRST_LIMB(0, inverse_dynamics_independent, 2, stride, sine, cosine, minus_limb1_U_joint_rate_0, t105, &limbs);
-    const REAL t145 = t144 + limbs.signed_lower_omega_y[0],
-      t172 = limbs.t14[0] - (limbs.t15[0] + limbs.signed_upper_position_x[0] * (minus_limb1_U_joint_rate_0 * limbs.t6[0])), /* limb5_S */
-      t173 = minus_limb1_U_factor_0_by_3 * t172, /* limb5_S */
+    const EACH4 platform_joint_force_mx_by_limb1_U2_mn_2 = {t35, platform_joint_force_mx_by_limb1_U2_mn, t35, platform_joint_force_mx_by_limb1_U2_mn},
+      platform_joint_force_mx_by_U2_mn = {platform_joint_force_mx_by_limb1_U2_mn, t35, platform_joint_force_mx_by_limb1_U2_mn, t35};
+    FIRST_LIMB(0, inverse_dynamics_independent, 1, stride, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn_2, platform_joint_force_mx_by_U2_mn, t100, given_3, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, &limbs);
+    const REAL minus_limb1_U_joint_rate_0 = minus_limb5_S_joint_rate_wx + limbs.t10[0];
+    NEXT_LIMB(1, inverse_dynamics_independent, 0, stride, q, sine, cosine, &limbs);
+    NEXT_LIMB(1, inverse_dynamics_independent, 1, stride, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn_2, platform_joint_force_mx_by_U2_mn, t100, given_3, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, &limbs);
+    const REAL limb2_U_joint_rate_0 = limb5_S_joint_rate_wy - limbs.t10[1];
+    NEXT_LIMB(2, inverse_dynamics_independent, 0, stride, q, sine, cosine, &limbs);
+    NEXT_LIMB(2, inverse_dynamics_independent, 1, stride, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn_2, platform_joint_force_mx_by_U2_mn, t100, given_3, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, &limbs);
+    const REAL minus_limb3_U_joint_rate_0 = minus_limb5_S_joint_rate_wx + limbs.t10[2];
+    NEXT_LIMB(3, inverse_dynamics_independent, 0, stride, q, sine, cosine, &limbs);
+    NEXT_LIMB(3, inverse_dynamics_independent, 1, stride, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn_2, platform_joint_force_mx_by_U2_mn, t100, given_3, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, &limbs);
+    const REAL limb4_U_joint_rate_0 = limb5_S_joint_rate_wy - limbs.t10[3];
+    const EACH4 signed_U_joint_rate_0 = {minus_limb1_U_joint_rate_0, limb2_U_joint_rate_0, minus_limb3_U_joint_rate_0, limb4_U_joint_rate_0};
+    const REAL t171 = limbs.t15[0] + limbs.signed_upper_position_x[0] * (minus_limb1_U_joint_rate_0 * limbs.t6[0]),
+      t216 = limb2_U_joint_rate_0 * limbs.t6[1], /* limb2 */
+      t224 = minus_limb3_U_joint_rate_0 * limbs.t6[2], /* limb3 */
+      t203 = limb4_U_joint_rate_0 * limbs.t6[3]; /* limb4 */
+    const EACH4 given = {t105, t113, t105, t113};
+    FIRST_LIMB(0, inverse_dynamics_independent, 2, stride, sine, cosine, signed_U_joint_rate_0, given, &limbs);
+    const REAL t172 = limbs.t14[0] - t171, t173 = minus_limb1_U_factor_0_by_3 * t172;
+    /* limb1: loop closure */
+    const REAL t145 = limb1_lower_cos * t105 - limb1_lower_sin * limbs.t9[0] + limbs.signed_lower_omega_y[0],
       t162 = limbs.signed_U_joint_rate_1[0] * t145, t138 = limbs.signed_U_joint_rate_1[0] - limbs.t6[0],
       t166 = limb1_U2_constraint_mn_couple_x * (t162 - t138 * limbs.signed_lower_omega_y[0] + limbs.minus_lower_alpha_still_x[0]),
       t146 = limb1_U2_constraint_mn_couple_x * t145,
@@ -430,95 +464,88 @@ BODY(three_ups_upu_s_inverse_dynamics_independent)(size_t stride, const double *
       t175 = t54 * limb5_S_joint_acc_still_wz, t116 = 0.5 * (t52 * t105 - t66 * t100 - t64 * t113),
       t117 = t100 * t116, t123 = 0.5 * (t66 * t113 - t54 * t105 - t64 * t100), t184 = t64 * t105,
       t125 = t117 - t113 * t123, t180 = t105 * t123, t181 = t54 * t100, t191 = t66 * limb5_S_joint_acc_still_wz,
-      t131 = 0.5 * (t52 * t100 + (t54 * t113 + t66 * t105)), t188 = t180 - t100 * (0.5 * (t181 - t52 * t113 - t184)),
+      t131 = 0.5 * (t52 * t100 + (t54 * t113 + t66 * t105)),
       t178 = READ(y_ddot, 0) - 0.5 * (t125 - t105 * t131 - t175), t179 = t53 * t178, t200 = t69 * t178,
-      t194 = READ(y_ddot, 1) - 0.5 * (t188 - t113 * t131 + t191), t201 = t62 * t194 - t200,
+      t189 = t113 * t131, t188 = t180 - t100 * (0.5 * (t181 - t52 * t113 - t184)),
+      t194 = READ(y_ddot, 1) - 0.5 * (t188 - t189 + t191), t201 = t62 * t194 - t200,
       limb5_S_joint_acc_wy = t71 * (t179 + t65 * t194), minus_limb5_S_joint_acc_wx = t71 * t201,
       t198 = t57 * (t59 * limb5_S_joint_acc_wy), limb5_S_joint_acc_wz = limb5_S_joint_acc_still_wz + t198,
-      t255 = platform_turn_zy * limb5_S_joint_acc_wz,
-      platform_alpha_y = t255 + (platform_turn_yy * limb5_S_joint_acc_wy - platform_turn_xy * minus_limb5_S_joint_acc_wx),
-      platform_rate_my = gravity_z_platform_mz * platform_turn_zx - (t254 - k14 * platform_alpha_y),
-      t277 = platform_turn_xy * platform_rate_my, t288 = platform_turn_yy * platform_rate_my,
-      t261 = platform_turn_zy * platform_rate_my, minus_platform_moment_x = gravity_z_platform_mz * platform_turn_zy,
-      t263 = platform_turn_zx * limb5_S_joint_acc_wz, t249 = platform_turn_zz * limb5_S_joint_acc_wz,
-      platform_alpha_x = t263 + (platform_turn_yx * limb5_S_joint_acc_wy - platform_turn_xx * minus_limb5_S_joint_acc_wx),
-      minus_platform_rate_mx = minus_platform_moment_x - (t262 + k14 * platform_alpha_x);
-    /* platform: balance, eqs. (40)-(47); accelerations; momentum rate, eq. (35) */
-    const REAL t270 = t261 - platform_turn_zx * minus_platform_rate_mx,
-      t279 = t277 - platform_turn_xx * minus_platform_rate_mx,
-      t290 = t288 - platform_turn_yx * minus_platform_rate_mx,
-      platform_alpha_z = t249 + (platform_turn_yz * limb5_S_joint_acc_wy - platform_turn_xz * minus_limb5_S_joint_acc_wx),
-      platform_rate_mz = platform_Izz * platform_alpha_z, t271 = platform_turn_zz * platform_rate_mz + t270,
-      t280 = platform_turn_xz * platform_rate_mz + t279, t291 = platform_turn_yz * platform_rate_mz + t290;
-    FIRST_LIMB(0, inverse_dynamics_independent, 3, stride, sine, cosine, t198, limb5_S_joint_acc_wy, limb5_S_joint_acc_still_wz, &limbs);
+      t259 = platform_turn_zy * limb5_S_joint_acc_wz,
+      platform_alpha_y = t259 + (platform_turn_yy * limb5_S_joint_acc_wy - platform_turn_xy * minus_limb5_S_joint_acc_wx),
+      platform_rate_my = gravity_z_platform_mz * platform_turn_zx - (t258 - k14 * platform_alpha_y),
+      t281 = platform_turn_xy * platform_rate_my, t292 = platform_turn_yy * platform_rate_my,
+      t265 = platform_turn_zy * platform_rate_my, minus_platform_moment_x = gravity_z_platform_mz * platform_turn_zy,
+      t267 = platform_turn_zx * limb5_S_joint_acc_wz, t253 = platform_turn_zz * limb5_S_joint_acc_wz,
+      platform_alpha_x = t267 + (platform_turn_yx * limb5_S_joint_acc_wy - platform_turn_xx * minus_limb5_S_joint_acc_wx),
+      minus_platform_rate_mx = minus_platform_moment_x - (t266 + k14 * platform_alpha_x),
+      t274 = t265 - platform_turn_zx * minus_platform_rate_mx,
+      t283 = t281 - platform_turn_xx * minus_platform_rate_mx,
+      t294 = t292 - platform_turn_yx * minus_platform_rate_mx,
+      platform_alpha_z = t253 + (platform_turn_yz * limb5_S_joint_acc_wy - platform_turn_xz * minus_limb5_S_joint_acc_wx),
+      platform_rate_mz = platform_Izz * platform_alpha_z, t275 = platform_turn_zz * platform_rate_mz + t274,
+      t284 = platform_turn_xz * platform_rate_mz + t283, t295 = platform_turn_yz * platform_rate_mz + t294;
+    const EACH4 signed_limb5_S_joint_acc_wy = {limb5_S_joint_acc_wy, minus_limb5_S_joint_acc_wx, limb5_S_joint_acc_wy, minus_limb5_S_joint_acc_wx},
+      signed_limb5_S_joint_acc_wx = {minus_limb5_S_joint_acc_wx, limb5_S_joint_acc_wy, minus_limb5_S_joint_acc_wx, limb5_S_joint_acc_wy};
+    NEXT_LIMB(1, inverse_dynamics_independent, 2, stride, sine, cosine, signed_U_joint_rate_0, given, &limbs);
+    FIRST_LIMB(1, inverse_dynamics_independent, 3, stride, sine, cosine, t198, signed_limb5_S_joint_acc_wy, limb5_S_joint_acc_still_wz, &limbs);
+    const REAL t245 = limbs.S_arm_x[1] * (limbs.t21[1] - limbs.t11[1]) - (limbs.t7[1] + limbs.t8[1]), /* limb2 */
+      t246 = limbs.S_arm_x[1] * limbs.t20[1] + t245; /* limb2 */
+    NEXT_LIMB(2, inverse_dynamics_independent, 2, stride, sine, cosine, signed_U_joint_rate_0, given, &limbs);
+    NEXT_LIMB(3, inverse_dynamics_independent, 2, stride, sine, cosine, signed_U_joint_rate_0, given, &limbs);
+    NEXT_LIMB(2, inverse_dynamics_independent, 3, stride, sine, cosine, t198, signed_limb5_S_joint_acc_wy, limb5_S_joint_acc_still_wz, &limbs);
+    const REAL t251 = limbs.S_arm_x[2] * (limbs.t11[2] - limbs.t21[2]) + (limbs.t8[2] - limbs.t7[2]), /* limb3 */
+      t252 = limbs.S_arm_x[2] * limbs.t20[2] - t251; /* limb3 */
+    NEXT_LIMB(3, inverse_dynamics_independent, 3, stride, sine, cosine, t198, signed_limb5_S_joint_acc_wy, limb5_S_joint_acc_still_wz, &limbs);
+    NEXT_LIMB(0, inverse_dynamics_independent, 3, stride, sine, cosine, t198, signed_limb5_S_joint_acc_wy, limb5_S_joint_acc_still_wz, &limbs);
+    FIRST_LIMB(0, inverse_dynamics_independent, 4, stride, sine, &limbs);
+    const REAL t235 = limbs.S_arm_x[3] * (limbs.t21[3] - limbs.t11[3]) - (limbs.t7[3] + limbs.t8[3]), /* limb4 */
+      t236 = limbs.S_arm_x[3] * limbs.t20[3] + t235; /* limb4 */
+    const EACH4 given_2_2 = {limbs.S_arm_x[0] * limbs.t20[0] + (t136 + limbs.S_arm_x[0] * limbs.t21[0]), t246, t252, t236};
     const REAL t210 = limbs.signed_upper_position_x[0] * limbs.t16[0], /* limb1 */
-      t214 = t172 - limbs.signed_upper_position_x[0] * (limb1_U_0_cos * limb5_S_joint_acc_still_wz) - t210; /* limb1 */
-    FIRST_LIMB(0, inverse_dynamics_independent, 4, stride, sine, cosine, t214, minus_limb5_S_joint_acc_wx, t136, limbs.S_arm_x[0] * limbs.t19[0], &limbs);
-    const REAL t281 = limbs.t23[0] + t280;
-    FIRST_LIMB(0, inverse_dynamics_independent, 5, stride, sine, cosine, limbs.S_arm_x[0] * limbs.t18[0] + limbs.t20[0], &limbs);
-    const REAL t272 = t271 - limbs.t21[0], t292 = limbs.t22[0] + t291;
-    NEXT_LIMB(1, inverse_dynamics_independent, 0, stride, q, sine, cosine, &limbs);
-    checked0 = checked0 + ALONE(limbs.checked[1]);
-    NEXT_LIMB(1, inverse_dynamics_independent, 1, stride, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn, t35, t100, t105, limb5_S_joint_rate_wz, minus_limb5_S_joint_rate_wx, &limbs);
-    const REAL limb2_U_joint_rate_0 = limb5_S_joint_rate_wy - limbs.t10[1];
-    NEXT_LIMB(1, inverse_dynamics_independent, 2, stride, sine, cosine, limb2_U_joint_rate_0, t113, &limbs);
-    const REAL t216 = limb2_U_joint_rate_0 * limbs.t6[1]; /* limb2 */
-    NEXT_LIMB(1, inverse_dynamics_independent, 3, stride, sine, cosine, t198, minus_limb5_S_joint_acc_wx, limb5_S_joint_acc_still_wz, &limbs);
-    const REAL limb2_U_0_sin = SINES(cosine, 2),
-      t241 = limbs.S_arm_x[1] * (limbs.t19[1] - limbs.t11[1]) - (limbs.t7[1] + limbs.t8[1]), /* limb2 */
+      limb2_U_0_sin = SINES(cosine, 2),
+      t214 = t172 - limbs.signed_upper_position_x[0] * (limb1_U_0_cos * limb5_S_joint_acc_still_wz) - t210, /* limb1 */
       t215 = limbs.signed_upper_position_x[1] * limbs.t16[1], /* limb2 */
-      t219 = limbs.signed_upper_position_x[1] * (t216 + limb2_U_0_sin * limb5_S_joint_acc_still_wz); /* limb2 */
-    NEXT_LIMB(1, inverse_dynamics_independent, 4, stride, sine, cosine, t215 + (t219 - (limbs.t15[1] + limbs.t14[1])), limb5_S_joint_acc_wy, t241, limbs.S_arm_x[1] * limbs.t18[1], &limbs);
-    NEXT_LIMB(1, inverse_dynamics_independent, 5, stride, sine, cosine, limbs.t20[1], &limbs);
-    const REAL t293 = t292 - limbs.t23[1], t273 = limbs.t21[1] + t272, t282 = limbs.t22[1] + t281;
-    NEXT_LIMB(2, inverse_dynamics_independent, 0, stride, q, sine, cosine, &limbs);
-    checked1 = checked1 + ALONE(limbs.checked[2]);
-    NEXT_LIMB(2, inverse_dynamics_independent, 1, stride, sine, cosine, t38, t35, platform_joint_force_mx_by_limb1_U2_mn, t100, t113, limb5_S_joint_rate_wz, limb5_S_joint_rate_wy, &limbs);
-    const REAL minus_limb3_U_joint_rate_0 = minus_limb5_S_joint_rate_wx + limbs.t10[2];
-    NEXT_LIMB(2, inverse_dynamics_independent, 2, stride, sine, cosine, minus_limb3_U_joint_rate_0, t105, &limbs);
-    const REAL t224 = minus_limb3_U_joint_rate_0 * limbs.t6[2]; /* limb3 */
-    NEXT_LIMB(2, inverse_dynamics_independent, 3, stride, sine, cosine, t198, limb5_S_joint_acc_wy, limb5_S_joint_acc_still_wz, &limbs);
-    const REAL limb3_U_0_cos = SINES(cosine, 4),
-      t246 = limbs.S_arm_x[2] * (limbs.t11[2] - limbs.t19[2]) + (limbs.t8[2] - limbs.t7[2]), /* limb3 */
+      t219 = limbs.signed_upper_position_x[1] * (t216 + limb2_U_0_sin * limb5_S_joint_acc_still_wz), /* limb2 */
+      t222 = t215 + (t219 - (limbs.t15[1] + limbs.t14[1])); /* limb2 */
+    NEXT_LIMB(1, inverse_dynamics_independent, 4, stride, sine, &limbs);
+    const REAL limb3_U_0_cos = SINES(cosine, 4), limb4_U_0_sin = SINES(cosine, 6),
       t223 = limbs.signed_upper_position_x[2] * limbs.t16[2], /* limb3 */
-      t227 = limbs.signed_upper_position_x[2] * (t224 + limb3_U_0_cos * limb5_S_joint_acc_still_wz); /* limb3 */
-    NEXT_LIMB(2, inverse_dynamics_independent, 4, stride, sine, cosine, t223 + (t227 + (limbs.t15[2] - limbs.t14[2])), minus_limb5_S_joint_acc_wx, t246, limbs.S_arm_x[2] * limbs.t18[2], &limbs);
-    NEXT_LIMB(2, inverse_dynamics_independent, 5, stride, sine, cosine, limbs.t20[2], &limbs);
-    const REAL t283 = limbs.t23[2] - t282, t274 = limbs.t21[2] + t273, t294 = t293 - limbs.t22[2];
-    NEXT_LIMB(3, inverse_dynamics_independent, 0, stride, q, sine, cosine, &limbs);
-    checked2 = checked2 + ALONE(limbs.checked[3]);
-    NEXT_LIMB(3, inverse_dynamics_independent, 1, stride, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn, t35, t100, t105, limb5_S_joint_rate_wz, minus_limb5_S_joint_rate_wx, &limbs);
-    const REAL limb4_U_joint_rate_0 = limb5_S_joint_rate_wy - limbs.t10[3];
-    NEXT_LIMB(3, inverse_dynamics_independent, 2, stride, sine, cosine, limb4_U_joint_rate_0, t113, &limbs);
-    NEXT_LIMB(3, inverse_dynamics_independent, 3, stride, sine, cosine, t198, minus_limb5_S_joint_acc_wx, limb5_S_joint_acc_still_wz, &limbs);
-    const REAL limb4_U_0_sin = SINES(cosine, 6),
-      t206 = limbs.signed_upper_position_x[3] * (limb4_U_joint_rate_0 * limbs.t6[3] + limb4_U_0_sin * limb5_S_joint_acc_still_wz), /* limb4 */
-      t235 = limbs.S_arm_x[3] * (limbs.t19[3] - limbs.t11[3]) - (limbs.t7[3] + limbs.t8[3]), /* limb4 */
-      t209 = limbs.t15[3] + limbs.t14[3] - t206 - limbs.signed_upper_position_x[3] * limbs.t16[3]; /* limb4 */
-    NEXT_LIMB(3, inverse_dynamics_independent, 4, stride, sine, cosine, t209, limb5_S_joint_acc_wy, t235, limbs.S_arm_x[3] * limbs.t18[3], &limbs);
-    NEXT_LIMB(3, inverse_dynamics_independent, 5, stride, sine, cosine, limbs.t20[3], &limbs);
-    const REAL t295 = limbs.t23[3] + t294, limb1_U2_part_mn = t38 * (limbs.t21[3] - t274),
-      limb5_S_balance_wx = platform_joint_force_mx_by_limb1_U2_mn * limb1_U2_part_mn - (limbs.t22[3] + t283),
-      minus_limb5_S_balance_wy = t35 * limb1_U2_part_mn - t295;
+      t227 = limbs.signed_upper_position_x[2] * (t224 + limb3_U_0_cos * limb5_S_joint_acc_still_wz), /* limb3 */
+      t206 = limbs.signed_upper_position_x[3] * (t203 + limb4_U_0_sin * limb5_S_joint_acc_still_wz), /* limb4 */
+      t230 = t223 + (t227 + (limbs.t15[2] - limbs.t14[2])); /* limb3 */
+    NEXT_LIMB(2, inverse_dynamics_independent, 4, stride, sine, &limbs);
+    const EACH4 given_2 = {t214, t222, t230, limbs.t15[3] + limbs.t14[3] - t206 - limbs.signed_upper_position_x[3] * limbs.t16[3]};
+    FIRST_LIMB(0, inverse_dynamics_independent, 5, stride, sine, cosine, given_2, signed_limb5_S_joint_acc_wx, given_2_2, &limbs);
+    NEXT_LIMB(1, inverse_dynamics_independent, 5, stride, sine, cosine, given_2, signed_limb5_S_joint_acc_wx, given_2_2, &limbs);
+    NEXT_LIMB(2, inverse_dynamics_independent, 5, stride, sine, cosine, given_2, signed_limb5_S_joint_acc_wx, given_2_2, &limbs);
+    const REAL t278 = limbs.t24[2] + (limbs.t24[1] + (t275 - limbs.t24[0]));
+    NEXT_LIMB(3, inverse_dynamics_independent, 4, stride, sine, &limbs);
+    NEXT_LIMB(3, inverse_dynamics_independent, 5, stride, sine, cosine, given_2, signed_limb5_S_joint_acc_wx, given_2_2, &limbs);
+    const REAL limb1_U2_part_mn = t38 * (limbs.t24[3] - t278),
+      t279 = platform_joint_force_mx_by_limb1_U2_mn * limb1_U2_part_mn, t290 = t35 * limb1_U2_part_mn,
+      t298 = limbs.t25[0] + t295 - limbs.t26[1] - limbs.t25[2],
+      limb5_S_balance_wx = t279 - (limbs.t25[3] + (limbs.t26[2] - (limbs.t25[1] + (limbs.t26[0] + t284)))),
+      minus_limb5_S_balance_wy = t290 - (limbs.t26[3] + t298);
     /* mechanism: drives; pivots */
     const REAL minus_drives_share_0_1 = limbs.t3[3] + (limbs.t3[2] + (limbs.t3[1] + limbs.t3[0])),
-      t285 = minus_drives_share_0_1 * limb5_S_balance_wx,
+      t289 = minus_drives_share_0_1 * limb5_S_balance_wx,
       drives_share_0_0 = limbs.t5[3] + (limbs.t4[2] + (limbs.t5[1] + limbs.t4[0])),
-      t297 = t285 - drives_share_0_0 * minus_limb5_S_balance_wy,
-      t300 = minus_drives_share_0_1 * minus_limb5_S_balance_wy, t43 = minus_drives_share_0_1 * minus_drives_share_0_1,
+      t301 = t289 - drives_share_0_0 * minus_limb5_S_balance_wy,
+      t303 = minus_drives_share_0_1 * minus_limb5_S_balance_wy, t43 = minus_drives_share_0_1 * minus_drives_share_0_1,
       drives_share_1_1 = limbs.t4[3] + (limbs.t5[2] + (limbs.t4[1] + limbs.t5[0])),
       minus_determinant = t43 - drives_share_1_1 * drives_share_0_0;
-    checked3 = checked3 + minus_determinant;
-    const REAL t302 = t300 - drives_share_1_1 * limb5_S_balance_wx, t49 = 1.0 / minus_determinant, t298 = t49 * t297,
-      t303 = t49 * t302;
-    RESULT(checked0, u, 1, limbs.signed_limb5_S_balance_wx_by_P[1] * t298 + limbs.signed_limb5_S_balance_wy_by_P[1] * t303);
-    RESULT(checked1, u, 2, limbs.signed_limb5_S_balance_wy_by_P[2] * t298 + limbs.signed_limb5_S_balance_wx_by_P[2] * t303);
-    const REAL minus_limb1_P_drive = limbs.signed_limb5_S_balance_wy_by_P[0] * t298 + limbs.signed_limb5_S_balance_wx_by_P[0] * t303;
-    checked2 = checked2 + minus_limb1_P_drive;
-    WRITE(u, 0, -minus_limb1_P_drive);
-    const REAL minus_limb4_P_drive = limbs.signed_limb5_S_balance_wx_by_P[3] * t298 + limbs.signed_limb5_S_balance_wy_by_P[3] * t303;
-    checked3 = checked3 + minus_limb4_P_drive;
-    WRITE(u, 3, -minus_limb4_P_drive);
+    REAL checked3 = minus_determinant;
+    const REAL t305 = t303 - drives_share_1_1 * limb5_S_balance_wx, t49 = 1.0 / minus_determinant, t302 = t49 * t301,
+      t306 = t49 * t305;
+    const EACH4 given_4 = {t302, t306, t302, t306}, given_2_3 = {t306, t302, t306, t302};
+    FIRST_LIMB(0, inverse_dynamics_independent, 6, stride, u, given_4, given_2_3, &limbs);
+    checked0 = checked0 + ALONE(limbs.checked[0]);
+    NEXT_LIMB(1, inverse_dynamics_independent, 6, stride, u, given_4, given_2_3, &limbs);
+    checked1 = checked1 + ALONE(limbs.checked[1]);
+    NEXT_LIMB(2, inverse_dynamics_independent, 6, stride, u, given_4, given_2_3, &limbs);
+    checked2 = checked2 + ALONE(limbs.checked[2]);
+    NEXT_LIMB(3, inverse_dynamics_independent, 6, stride, u, given_4, given_2_3, &limbs);
+    checked3 = checked3 + ALONE(limbs.checked[3]);
     /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
@@ -1048,318 +1075,6 @@ int three_ups_upu_s_inverse_dynamics(const double *restrict q, const double *res
     return three_ups_upu_s_inverse_dynamics_limb_by_limb(q, v, a, u);
 }
 
-#if defined(__GNUC__) && defined(__AVX2__) && !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_LIMB_BY_LIMB)
-static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_independent_packed_lane(const double *restrict q,
-    const double *restrict y_dot, const double *restrict y_ddot, double *restrict u,
-    const double *restrict sine, const double *restrict cosine)
-{
-    typedef three_ups_upu_s_vector4 lanes4;
-    const double limb5_S_q_qw = q[12], limb5_S_q_qx = q[13], limb5_S_q_qy = q[14], limb5_S_q_qz = q[15],
-      limb5_S_y_dot_qx = y_dot[0], limb5_S_y_dot_qy = y_dot[1], limb1_U_0_sin = sine[0], limb1_U_0_cos =
-        cosine[0],
-      limb1_lower_sin = sine[1], limb1_lower_cos = cosine[1], limb2_U_0_sin = cosine[2], limb3_U_0_cos =
-        cosine[4],
-      limb4_U_0_sin = cosine[6];
-    /* limb5_S: geometry; velocities, eq. (6) */
-    const double t2 = limb5_S_q_qw * limb5_S_q_qw, t3 = limb5_S_q_qx * limb5_S_q_qx, t4 = t2 + t3,
-      t5 = limb5_S_q_qy * limb5_S_q_qy, t6 = limb5_S_q_qz * limb5_S_q_qz, t7 = t5 + t6, t8 = t4 + t7, t11 = t3
-        + t6,
-      t97 = t3 + t5, t10 = 4.0 - 2.0 * t8, platform_turn_yy = 1.0 - t10 * t11, t76 = k2 - 0.5 * t8,
-      platform_turn_xx = 1.0 - t7 * t10, platform_turn_zz = 1.0 - t10 * t97, t14 = limb5_S_q_qz * t10,
-      t15 = limb5_S_q_qy * t14, t17 = limb5_S_q_qw * (limb5_S_q_qx * t10), t32 = limb5_S_q_qy * t10,
-      platform_turn_zy = t15 + t17, platform_turn_yz = t15 - t17,
-      t30 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy, /* limb1 */
-      t31 = limb1_lower_cos * t30, /* limb1 */
-      t184 = limb1_lower_sin * t30, /* limb1 */
-      t33 = limb5_S_q_qx * t32, t106 = limb5_S_q_qw * t32, t34 = limb5_S_q_qw * t14, t105 = limb5_S_q_qx *
-        t14,
-      platform_turn_xy = t33 - t34, platform_turn_yx = t33 + t34,
-      limb1_U2_constraint_mn_couple_z = t31 - limb1_lower_sin * platform_turn_xy;
-    const lanes4 limb_upper_offset_x = (lanes4){q[2], q[5], q[8], q[11]} + limb_upper_phase,
-      limb_lower_cos = {limb1_lower_cos, cosine[3], cosine[5], cosine[7]},
-      each_limb1_U_0_lever_mz_by_limb1_U2_fz = limb_lower_cos * limb_upper_offset_x,
-      lanes_1 = 1.0 / each_limb1_U_0_lever_mz_by_limb1_U2_fz, lanes_2 = limb_lower_cos * lanes_1;
-    /* limb1: rates that follow; reciprocal wrenches, eq. (10); balance, eqs. (40)-(47) */
-    const double limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * lanes_2[0];
-    const lanes4 signed_limb_lower_sin = {limb1_lower_sin, sine[3], sine[5], sine[7]},
-      each_limb1_U2_arm_x = limb_upper_offset_x - param_R * signed_limb_lower_sin;
-    const double limb1_U2_arm_x = each_limb1_U2_arm_x[0],
-      minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * limb1_U_factor_1_by_3,
-      t41 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3, t38 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3,
-      limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy,
-      minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * lanes_1[0];
-    const lanes4 lanes_5 = (lanes4){1.0, -1.0, -1.0, 1.0} * signed_limb_lower_sin,
-      each_limb1_upper_position_x = lanes_5 * limb_upper_offset_x + (lanes4){-param_R, param_R, param_R,
-        -param_R};
-    const double minus_limb1_upper_position_x = -each_limb1_upper_position_x[0],
-      t80 = minus_limb1_upper_position_x * minus_limb1_U_factor_0_by_3,
-      minus_limb1_U2_factor_1_by_3 = limb1_lower_cos * limb1_U2_constraint_mn_couple_x - t80;
-    /* limb5_S: pivots; rates that follow */
-    const double minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + t41,
-      t82 = 1.0 / minus_limb5_S_pivot_wz, t84 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t38, /* limb1 */
-      limb5_S_null_space_wz_by_limb5_S_wy = t82 * t84;
-    /* platform: velocities, eq. (6); accelerations; geometry */
-    const double t79 = limb5_S_q_qy * t76, t85 = t79 * limb5_S_null_space_wz_by_limb5_S_wy, t77 = limb5_S_q_qz
-        * t76,
-      t87 = 0.5 * (t77 - t85), t78 = 0.5 * t77, t88 = t78 * t87, t91 = limb5_S_q_qx * t76,
-      t92 = t91 * limb5_S_null_space_wz_by_limb5_S_wy, t89 = limb5_S_q_qw * t76, t94 = 0.5 * (t89 + t92),
-      t90 = 0.5 * t89, a_pivot = t88 + t90 * t94, t96 = 1.0 / a_pivot,
-      limb5_S_joint_rate_wy = (t90 * limb5_S_y_dot_qy + t78 * limb5_S_y_dot_qx) * t96,
-      limb5_S_joint_rate_wz = t82 * (t84 * limb5_S_joint_rate_wy), t113 = platform_turn_zy *
-        limb5_S_joint_rate_wz,
-      t114 = platform_turn_yy * limb5_S_joint_rate_wy,
-      minus_limb5_S_joint_rate_wx = t96 * (limb5_S_y_dot_qy * t87 - limb5_S_y_dot_qx * t94),
-      platform_omega_y = t113 + (t114 - platform_turn_xy * minus_limb5_S_joint_rate_wx),
-      t117 = platform_turn_zy * platform_omega_y, platform_turn_zx = t105 - t106, platform_turn_xz = t105 +
-        t106,
-      t118 = platform_turn_zx * limb5_S_joint_rate_wz,
-      platform_omega_x = t118 + (platform_turn_yx * limb5_S_joint_rate_wy - platform_turn_xx *
-        minus_limb5_S_joint_rate_wx),
-      t124 = t117 + platform_turn_zx * platform_omega_x, t103 = platform_turn_zz * limb5_S_joint_rate_wz,
-      platform_omega_z = t103 + (platform_turn_yz * limb5_S_joint_rate_wy - platform_turn_xz *
-        minus_limb5_S_joint_rate_wx),
-      t125 = platform_turn_zz * platform_omega_z + t124;
-    const lanes4 each_limb1_U_0_cos = {limb1_U_0_cos, limb2_U_0_sin, limb3_U_0_cos, limb4_U_0_sin},
-      lanes_8 = (lanes4){1.0, -1.0, 1.0, -1.0} * t125, lanes_9 = each_limb1_U_0_cos * lanes_8;
-    const double t137 = platform_turn_yy * platform_omega_y + platform_turn_yx * platform_omega_x,
-      t138 = platform_turn_yz * platform_omega_z + t137, t622 = k13 * (platform_omega_z * platform_omega_y),
-      t129 = platform_turn_xy * platform_omega_y + platform_turn_xx * platform_omega_x,
-      platform_U_still_xz = platform_omega_z * platform_omega_x, t130 = platform_turn_xz * platform_omega_z +
-        t129,
-      t614 = k13 * platform_U_still_xz;
-    const lanes4 each_limb1_U_0_sin = {limb1_U_0_sin, sine[2], sine[4], sine[6]}, lanes_10 = {t138, t130,
-        t138, t130},
-      lanes_12 = lanes_9 - each_limb1_U_0_sin * lanes_10;
-    const double t172 = lanes_12[0], t189 = limb1_lower_cos * t130 - limb1_lower_sin * t172; /* limb1 */
-    const lanes4 lanes_13 = each_limb1_U_0_cos * limb5_S_joint_rate_wz,
-      lanes_14 = each_limb1_U_0_sin * limb5_S_joint_rate_wz,
-      each_limb5_S_joint_rate_wy = {limb5_S_joint_rate_wy, minus_limb5_S_joint_rate_wx, limb5_S_joint_rate_wy,
-        minus_limb5_S_joint_rate_wx},
-      lanes_18 = lanes_1 * (each_limb1_upper_position_x * (lanes_13 - each_limb1_U_0_sin *
-        each_limb5_S_joint_rate_wy));
-    const double minus_limb1_U_joint_rate_0 = minus_limb5_S_joint_rate_wx - (-lanes_18[0]),
-      limb2_U_joint_rate_0 = limb5_S_joint_rate_wy - lanes_18[1],
-      minus_limb3_U_joint_rate_0 = minus_limb5_S_joint_rate_wx + lanes_18[2],
-      limb4_U_joint_rate_0 = limb5_S_joint_rate_wy + (-lanes_18[3]);
-    const lanes4 lanes_20 = lanes_14 + each_limb1_U_0_cos * each_limb5_S_joint_rate_wy,
-      signed_limb_U_joint_rate_0 = {minus_limb1_U_joint_rate_0, limb2_U_joint_rate_0,
-        minus_limb3_U_joint_rate_0, limb4_U_joint_rate_0},
-      signed_limb_lower_omega_y = limb_lower_cos * signed_limb_U_joint_rate_0;
-    const double minus_limb1_lower_omega_y = signed_limb_lower_omega_y[0],
-      t190 = t189 + minus_limb1_lower_omega_y; /* limb1 */
-    const lanes4 signed_limb_U_joint_rate_1 = lanes_2 * (each_limb1_U2_arm_x * lanes_20);
-    const double limb1_U_joint_rate_1 = signed_limb_U_joint_rate_1[0],
-      t207 = limb1_U_joint_rate_1 * t190; /* limb1 */
-    const lanes4 lanes_23 = each_limb1_U_0_sin * lanes_8 + each_limb1_U_0_cos * lanes_10;
-    const double t161 = lanes_23[0];
-    /* limb1: loop closure; velocities, eq. (6) */
-    const double t183 = limb1_U_joint_rate_1 - t161, t209 = t207 - t183 * minus_limb1_lower_omega_y;
-    const lanes4 minus_limb_lower_alpha_still_x = signed_limb_U_joint_rate_1 * signed_limb_lower_omega_y;
-    const double t211 = limb1_U2_constraint_mn_couple_x * (t209 + minus_limb_lower_alpha_still_x[0]);
-    const lanes4 lanes_24 = lanes_5 * (k11 * minus_limb_lower_alpha_still_x);
-    const double t196 = limb1_lower_sin * t130 + limb1_lower_cos * t172;
-    const lanes4 minus_limb_lower_omega_x = lanes_5 * signed_limb_U_joint_rate_0;
-    const double minus_limb1_lower_omega_x = minus_limb_lower_omega_x[0], t197 = t196 +
-        minus_limb1_lower_omega_x,
-      t206 = limb1_U2_constraint_mn_couple_z * (minus_limb1_lower_omega_y * t197 - t190 *
-        minus_limb1_lower_omega_x),
-      t212 = t206 - t211, t198 = limb1_U2_constraint_mn_couple_z * t190,
-      t191 = limb1_U2_constraint_mn_couple_x * t190, limb1_U2_opening_mn = t184 + limb1_lower_cos *
-        platform_turn_xy,
-      t193 = t183 * (limb1_U2_opening_mn * t183 + t191),
-      minus_limb1_U2_opening_bias_mn = t193 + t197 * (t198 + limb1_U2_opening_mn * t197) - t212;
-    const lanes4 lanes_25 = lanes_12 * signed_limb_U_joint_rate_0;
-    const double t179 = limb1_U2_arm_x * lanes_25[0]; /* limb5_S */
-    const lanes4 each_limb1_U2_arm_y = param_R * limb_lower_cos,
-      lanes_27 = (lanes4){1.0, -1.0, -1.0, 1.0} * (each_limb1_U2_arm_y * lanes_20),
-      lanes_28 = lanes_27 * signed_limb_U_joint_rate_1;
-    const double t180 = lanes_28[0] + t179; /* limb5_S */
-    const lanes4 lanes_29 = limb_lower_cos * signed_limb_U_joint_rate_1,
-      lanes_33 = lanes_23 * (lanes_27 - (lanes4){param_R, -param_R, -param_R, param_R} * lanes_29);
-    const double t181 = lanes_33[0] - t180, /* limb5_S */
-      t213 = limb1_U_factor_1_by_3 * t181 - minus_limb1_U2_opening_bias_mn, /* limb5_S */
-      t225 = minus_limb1_upper_position_x * (minus_limb1_U_joint_rate_0 * t161); /* limb5_S */
-    const lanes4 lanes_38 = (lanes4){t130, t138, t130, t138} + (lanes4){1.0, -1.0, 1.0, -1.0} *
-        signed_limb_U_joint_rate_0;
-    const double t465 = limb2_U_joint_rate_0 * lanes_23[1], /* limb2 */
-      t367 = minus_limb3_U_joint_rate_0 * lanes_23[2], /* limb3 */
-      t269 = limb4_U_joint_rate_0 * lanes_23[3]; /* limb4 */
-    const lanes4 lanes_41 = (lanes_5 * lanes_27 + limb_upper_offset_x * lanes_29) * lanes_12;
-    /* limb5_S: accelerations */
-    const double t226 = lanes_41[0] - t225;
-    const lanes4 lanes_42 = lanes_5 * signed_limb_U_joint_rate_1,
-      lanes_46 = lanes_23 * ((lanes4){param_R, param_R, -param_R, -param_R} * lanes_42),
-      lanes_49 = (limb_lower_cos * lanes_27 - limb_upper_offset_x * lanes_42) * lanes_38;
-    const double t227 = lanes_49[0] - t226,
-      limb5_S_joint_acc_still_wz = t82 * (t213 + minus_limb1_U_factor_0_by_3 * t227),
-      t230 = t79 * limb5_S_joint_acc_still_wz, t141 = 0.5 * (t77 * t130 - t91 * t125 - t89 * t138),
-      t142 = t125 * t141, t148 = 0.5 * (t91 * t138 - t79 * t130 - t89 * t125), t239 = t89 * t130,
-      t150 = t142 - t138 * t148, t235 = t130 * t148, t236 = t79 * t125, t246 = t91 *
-        limb5_S_joint_acc_still_wz,
-      t156 = 0.5 * (t77 * t125 + (t79 * t138 + t91 * t130)), t233 = y_ddot[0] - 0.5 * (t150 - t130 * t156 -
-        t230),
-      t234 = t78 * t233, t256 = t94 * t233, t244 = t138 * t156,
-      t243 = t235 - t125 * (0.5 * (t236 - t77 * t138 - t239)), t249 = y_ddot[1] - 0.5 * (t243 - t244 + t246),
-      t257 = t87 * t249 - t256, limb5_S_joint_acc_wy = t96 * (t234 + t90 * t249),
-      minus_limb5_S_joint_acc_wx = t96 * t257, t253 = t82 * (t84 * limb5_S_joint_acc_wy);
-    const lanes4 lanes_50 = each_limb1_U_0_cos * t253,
-      each_limb5_S_joint_acc_wy = {limb5_S_joint_acc_wy, minus_limb5_S_joint_acc_wx, limb5_S_joint_acc_wy,
-        minus_limb5_S_joint_acc_wx},
-      lanes_52 = lanes_50 - each_limb1_U_0_sin * each_limb5_S_joint_acc_wy;
-    const double t552 = minus_limb1_upper_position_x * lanes_52[0], /* limb1 */
-      t556 = t552 + (t227 + minus_limb1_upper_position_x * (limb1_U_0_cos * limb5_S_joint_acc_still_wz)), /* limb1 */
-      minus_limb2_upper_position_y = each_limb1_upper_position_x[1],
-      t456 = minus_limb2_upper_position_y * lanes_52[1], /* limb2 */
-      t468 = minus_limb2_upper_position_y * (t465 + limb2_U_0_sin * limb5_S_joint_acc_still_wz), /* limb2 */
-      t489 = t456 + (t468 + (-lanes_41[1] + (-lanes_49[1]))), /* limb2 */
-      limb3_upper_position_x = each_limb1_upper_position_x[2],
-      t358 = limb3_upper_position_x * lanes_52[2], /* limb3 */
-      limb4_upper_position_y = -each_limb1_upper_position_x[3],
-      t260 = limb4_upper_position_y * lanes_52[3], /* limb4 */
-      t370 = limb3_upper_position_x * (t367 + limb3_U_0_cos * limb5_S_joint_acc_still_wz), /* limb3 */
-      t391 = t358 + (t370 + (lanes_41[2] + (-lanes_49[2]))), /* limb3 */
-      t291 = -lanes_41[3] - lanes_49[3]; /* limb4 */
-    const lanes4 lanes_53 = {t556, t489, t391, t260 + (limb4_upper_position_y * (t269 + limb4_U_0_sin *
-        limb5_S_joint_acc_still_wz) - t291)};
-    /* limbs together: accelerations; momentum rate, eq. (35) */
-    const lanes4 lanes_56 = lanes_1 * ((lanes4){1.0, 1.0, -1.0, -1.0} * lanes_53),
-      each_limb5_S_joint_acc_wx = {minus_limb5_S_joint_acc_wx, limb5_S_joint_acc_wy,
-        minus_limb5_S_joint_acc_wx, limb5_S_joint_acc_wy},
-      signed_limb_U_joint_acc_0 = each_limb5_S_joint_acc_wx - lanes_56,
-      signed_limb_lower_U_xz = limb_lower_cos * signed_limb_U_joint_acc_0,
-      signed_limb_U_0_rate_mz = (lanes4){-k4, -k4, k4, k4} * signed_limb_U_joint_acc_0,
-      signed_limb_lower_alpha_still_y = signed_limb_U_joint_rate_1 * minus_limb_lower_omega_x,
-      signed_limb_lower_alpha_y = signed_limb_lower_U_xz - signed_limb_lower_alpha_still_y,
-      signed_limb_lower_U_still_xy = signed_limb_lower_omega_y * minus_limb_lower_omega_x,
-      signed_limb_lower_U_zx = signed_limb_lower_alpha_still_y - signed_limb_lower_alpha_y;
-    /* limbs together: balance, eqs. (40)-(47); momentum rate, eq. (35); accelerations */
-    const lanes4 lanes_60 = k10 * signed_limb_lower_alpha_still_y - k9 * signed_limb_lower_alpha_y,
-      signed_limb_lower_rate_fz = limb_lower_mx * signed_limb_lower_U_zx,
-      lanes_62 = gravity_z * each_limb1_U_0_sin - limb_upper_offset_x * signed_limb_lower_U_zx,
-      signed_limb_upper_acc_z = lanes_27 * (2.0 * signed_limb_lower_omega_y) + lanes_62,
-      lanes_65 = signed_limb_lower_omega_y * signed_limb_lower_omega_y,
-      lanes_66 = limb_upper_offset_x * (signed_limb_lower_rate_fz + limb_lower_m * signed_limb_upper_acc_z),
-      lanes_67 = lanes_66 - limb_lower_mx * signed_limb_upper_acc_z,
-      lanes_70 = lanes_24 + limb_lower_cos * (gravity_z_limb_lower_mx * each_limb1_U_0_sin - lanes_60 +
-        lanes_67),
-      each_limb1_U2_part_fz = lanes_1 * (signed_limb_U_0_rate_mz - (lanes4){1.0, 1.0, -1.0, -1.0} * lanes_70),
-      lanes_73 = each_limb1_U2_arm_x * each_limb1_U2_part_fz, lanes_75 = lanes_5 * lanes_73,
-      lanes_76 = limb_lower_cos * lanes_73,
-      lanes_78 = (lanes4){1.0, -1.0, -1.0, 1.0} * (each_limb1_U2_arm_y * each_limb1_U2_part_fz),
-      lanes_80 = lanes_75 - limb_lower_cos * lanes_78, lanes_82 = lanes_76 + lanes_5 * lanes_78,
-      lanes_83 = each_limb1_U_0_cos * lanes_80, lanes_84 = each_limb1_U_0_sin * lanes_80,
-      lanes_85 = each_limb1_U_0_sin * t253;
-    const double limb5_S_joint_acc_wz = limb5_S_joint_acc_still_wz + t253;
-    const lanes4 lanes_86 = each_limb1_U_0_sin * limb5_S_joint_acc_still_wz,
-      lanes_88 = lanes_85 + each_limb1_U_0_cos * each_limb5_S_joint_acc_wy;
-    const double t593 = limb1_U2_arm_x * lanes_88[0] + (t181 + limb1_U2_arm_x * lanes_86[0]), /* limb1 */
-      limb2_S_arm_x = each_limb1_U2_arm_x[1], t524 = limb2_S_arm_x * lanes_88[1]; /* limb2 */
-    const lanes4 lanes_89 = lanes_86 - lanes_25,
-      lanes_95 = lanes_46 + (lanes4){1.0, -1.0, -1.0, 1.0} * (each_limb1_U2_arm_y * (lanes_25 - (lanes_88 +
-        lanes_86)));
-    const double t532 = limb2_S_arm_x * lanes_89[1] + (-lanes_33[1] + (-lanes_28[1])), /* limb2 */
-      t533 = t524 + t532, /* limb2 */
-      limb3_S_arm_x = each_limb1_U2_arm_x[2], t426 = limb3_S_arm_x * lanes_88[2], /* limb3 */
-      limb4_S_arm_x = each_limb1_U2_arm_x[3], t328 = limb4_S_arm_x * lanes_88[3], /* limb4 */
-      t330 = limb4_S_arm_x * lanes_89[3], /* limb4 */
-      t434 = limb3_S_arm_x * (-lanes_89[2]) + (-lanes_33[2] - (-lanes_28[2])), /* limb3 */
-      t435 = t426 - t434; /* limb3 */
-    const lanes4 lanes_96 = {t593, t533, t435, t328 + (t330 - (lanes_33[3] + lanes_28[3]))},
-      signed_limb_U_joint_acc_1 = lanes_2 * lanes_96,
-      signed_limb_lower_U_yx = signed_limb_lower_U_still_xy + signed_limb_U_joint_acc_1,
-      lanes_99 = k9 * signed_limb_lower_U_still_xy + k10 * signed_limb_U_joint_acc_1,
-      lanes_100 = limb_upper_offset_x * signed_limb_lower_U_yx,
-      signed_limb_lower_rate_fy = limb_lower_mx * signed_limb_lower_U_yx,
-      minus_limb_U_0_acc_y = (lanes4){-gravity_z, gravity_z, -gravity_z, gravity_z} * each_limb1_U_0_cos,
-      signed_limb_lower_acc_y = lanes_5 * minus_limb_U_0_acc_y,
-      minus_limb_lower_acc_x = limb_lower_cos * minus_limb_U_0_acc_y,
-      signed_limb_upper_acc_y = lanes_27 * (2.0 * signed_limb_U_joint_rate_1) + (signed_limb_lower_acc_y +
-        lanes_100),
-      lanes_106 = limb_upper_offset_x * (signed_limb_lower_rate_fy - limb_lower_m * signed_limb_upper_acc_y),
-      each_limb1_U2_part_fy = lanes_2 * (lanes_106 - (limb_lower_mx * (signed_limb_lower_acc_y -
-        signed_limb_upper_acc_y) + lanes_99)),
-      lanes_109 = each_limb1_U2_arm_x * each_limb1_U2_part_fy,
-      minus_limb_lower_U_still_xx = signed_limb_U_joint_rate_1 * signed_limb_U_joint_rate_1 + lanes_65,
-      minus_limb_lower_force_x = limb_lower_m * (minus_limb_lower_acc_x + limb_upper_offset_x *
-        minus_limb_lower_U_still_xx + lanes_95),
-      lanes_111 = each_limb1_U2_arm_y * (limb_lower_mx * minus_limb_lower_U_still_xx -
-        minus_limb_lower_force_x),
-      lanes_114 = lanes_111 - (lanes4){1.0, -1.0, -1.0, 1.0} * lanes_109;
-    const double t24 = limb1_U2_arm_x * minus_limb1_U_factor_0_by_3, /* limb1 */
-      t21 = limb1_U2_constraint_mn_couple_x - each_limb1_U2_arm_y[0] * minus_limb1_U_factor_0_by_3; /* limb1 */
-    const lanes4 lanes_116 = lanes_83 - each_limb1_U_0_sin * lanes_114,
-      lanes_118 = lanes_84 + each_limb1_U_0_cos * lanes_114;
-    /* platform: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47) */
-    const double t615 = platform_turn_zy * limb5_S_joint_acc_wz,
-      platform_alpha_y = t615 + (platform_turn_yy * limb5_S_joint_acc_wy - platform_turn_xy *
-        minus_limb5_S_joint_acc_wx),
-      platform_rate_my = gravity_z_platform_mz * platform_turn_zx - (t614 - k14 * platform_alpha_y),
-      t649 = platform_turn_xy * platform_rate_my, t672 = platform_turn_yy * platform_rate_my,
-      t621 = platform_turn_zy * platform_rate_my, minus_platform_moment_x = gravity_z_platform_mz *
-        platform_turn_zy,
-      t623 = platform_turn_zx * limb5_S_joint_acc_wz, t609 = platform_turn_zz * limb5_S_joint_acc_wz,
-      t610 = platform_turn_yz * limb5_S_joint_acc_wy,
-      platform_alpha_x = t623 + (platform_turn_yx * limb5_S_joint_acc_wy - platform_turn_xx *
-        minus_limb5_S_joint_acc_wx),
-      minus_platform_rate_mx = minus_platform_moment_x - (t622 + k14 * platform_alpha_x);
-    /* platform: balance, eqs. (40)-(47); momentum rate, eq. (35) */
-    const double t630 = t621 - platform_turn_zx * minus_platform_rate_mx,
-      platform_rate_mz = platform_Izz * (t609 + (t610 - platform_turn_xz * minus_limb5_S_joint_acc_wx)),
-      t633 = lanes_116[1] + (-lanes_116[0] + (platform_turn_zz * platform_rate_mz + t630)),
-      minus_platform_joint_force_mz = lanes_116[3] + (-lanes_116[2] - t633),
-      t652 = platform_turn_xz * platform_rate_mz + (t649 - platform_turn_xx * minus_platform_rate_mx),
-      t675 = platform_turn_yz * platform_rate_mz + (t672 - platform_turn_yx * minus_platform_rate_mx),
-      t655 = lanes_82[2] - (lanes_118[1] - (-lanes_82[0] - t652)), t656 = lanes_118[3] + t655,
-      t678 = -lanes_118[2] + (-lanes_82[1] - (-lanes_118[0] - t675)), t679 = lanes_82[3] + t678,
-      t45 = limb1_lower_sin * t21, /* limb1 */
-      t26 = limb1_lower_cos * t21 + limb1_lower_sin * t24, /* limb1 */
-      platform_joint_force_mx_by_limb1_U2_mn = t45 - limb1_lower_cos * t24,
-      platform_joint_force_mz_by_limb1_U2_mn = limb1_U_0_cos * t26 + t41,
-      t42 = 1.0 / platform_joint_force_mz_by_limb1_U2_mn, limb1_U2_part_mn = t42 *
-        minus_platform_joint_force_mz,
-      t39 = limb1_U_0_sin * t26 - t38,
-      limb5_S_balance_wx = platform_joint_force_mx_by_limb1_U2_mn * limb1_U2_part_mn - t656,
-      minus_limb5_S_balance_wy = t39 * limb1_U2_part_mn - t679;
-    /* limbs together: balance, eqs. (40)-(47); drives */
-    const lanes4 each_limb1_U2_part_mn_by_limb1_P = each_limb1_U_0_sin * each_limb1_U2_arm_y * t42,
-      each_platform_joint_force_my_by_limb1_P = each_limb1_U_0_cos * each_limb1_U2_arm_y,
-      lanes_119 = {t39, platform_joint_force_mx_by_limb1_U2_mn, t39, platform_joint_force_mx_by_limb1_U2_mn},
-      lanes_120 = lanes_119 * each_limb1_U2_part_mn_by_limb1_P,
-      lanes_121 = {platform_joint_force_mx_by_limb1_U2_mn, t39, platform_joint_force_mx_by_limb1_U2_mn, t39},
-      each_limb5_S_balance_wx_by_limb1_P = lanes_121 * each_limb1_U2_part_mn_by_limb1_P,
-      each_limb5_S_balance_wy_by_limb1_P = each_platform_joint_force_my_by_limb1_P + lanes_120,
-      lanes_122 = each_limb5_S_balance_wy_by_limb1_P * each_limb5_S_balance_wx_by_limb1_P;
-    /* mechanism: drives; pivots */
-    const double t57 = lanes_122[2] + (lanes_122[1] + lanes_122[0]), minus_drives_share_0_1 = lanes_122[3] +
-        t57,
-      t657 = minus_drives_share_0_1 * limb5_S_balance_wx;
-    const lanes4 lanes_123 = each_limb5_S_balance_wy_by_limb1_P * each_limb5_S_balance_wy_by_limb1_P,
-      lanes_124 = each_limb5_S_balance_wx_by_limb1_P * each_limb5_S_balance_wx_by_limb1_P;
-    const double t70 = lanes_124[2] + (lanes_123[1] + lanes_124[0]), drives_share_0_0 = lanes_123[3] + t70,
-      t681 = t657 - drives_share_0_0 * minus_limb5_S_balance_wy,
-      t684 = minus_drives_share_0_1 * minus_limb5_S_balance_wy, t58 = minus_drives_share_0_1 *
-        minus_drives_share_0_1,
-      t64 = lanes_123[2] + (lanes_124[1] + lanes_123[0]), drives_share_1_1 = lanes_124[3] + t64,
-      minus_determinant = t58 - drives_share_1_1 * drives_share_0_0,
-      t686 = t684 - drives_share_1_1 * limb5_S_balance_wx, t72 = 1.0 / minus_determinant, t682 = t72 * t681,
-      t687 = t72 * t686;
-    const lanes4 lanes_126 = each_limb5_S_balance_wy_by_limb1_P * (lanes4){t682, t687, t682, t687},
-      signed_limb_P_drive = lanes_126 + each_limb5_S_balance_wx_by_limb1_P * (lanes4){t687, t682, t687, t682};
-    u[0] = -signed_limb_P_drive[0];
-    u[1] = signed_limb_P_drive[1];
-    u[2] = signed_limb_P_drive[2];
-    u[3] = -signed_limb_P_drive[3];
-    const lanes4 every = (lanes4)((three_ups_upu_s_vector4_mask)(each_limb1_U_0_lever_mz_by_limb1_U2_fz +
-        signed_limb_P_drive) | ((each_limb1_U_0_lever_mz_by_limb1_U2_fz <= (lanes4){6.62327e-10, 6.62327e-10,
-        6.62327e-10, 6.62327e-10}) & (each_limb1_U_0_lever_mz_by_limb1_U2_fz >= -(lanes4){6.62327e-10,
-        6.62327e-10, 6.62327e-10, 6.62327e-10})));
-    return fabs(minus_limb5_S_pivot_wz) <= 1.0e-09 || fabs(a_pivot) <= 1.0e-09 ||
-        fabs(platform_joint_force_mz_by_limb1_U2_mn) <= 4.0171000000000005e-10 || fabs(minus_determinant) <=
-        2.393867125597279e-10 || !(t8 >= 0.999999 && t8 <= 1.000001) ? (double)NAN :
-        ((platform_joint_force_mz_by_limb1_U2_mn + minus_determinant) + (minus_limb5_S_pivot_wz + a_pivot)) +
-        ((every[0] + every[1]) + (every[2] + every[3]));
-}
-#endif
 
 #if defined(__GNUC__) && defined(__AVX2__) && !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_LIMB_BY_LIMB)
 __attribute__((noinline))
@@ -1383,8 +1098,8 @@ int three_ups_upu_s_inverse_dynamics_independent(const double *restrict q, const
 #if defined(__GNUC__) && defined(__AVX2__) && !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_LIMB_BY_LIMB)
     double sine[8] = {0.0}, cosine[8] = {0.0};
     three_ups_upu_s_sines1(q, sine, cosine);
-    if (isfinite(three_ups_upu_s_inverse_dynamics_independent_packed_lane(q, y_dot, y_ddot, u, sine, cosine)))
-        {
+    if (isfinite(three_ups_upu_s_inverse_dynamics_independent_packed_lane(1, q, y_dot, y_ddot, u, sine,
+        cosine, NULL))) {
         return 0;
     }
 #endif

@@ -100,7 +100,7 @@ def packed(
 
 
 def _whole_if_near(plan: Plan) -> Plan:
-    """The plan without packs that lack a lane, if that costs hardly more: then the text limb by limb is that in lanes."""
+    """The plan without packs that lack a lane, if that costs hardly more: then limbs have one text for lanes, too."""
     whole = tuple(row for row in plan.rows if None not in row)
     if len(whole) == len(plan.rows) or not whole:
         return plan
