@@ -20,10 +20,10 @@ BODY(four_bar_body_poses)(size_t stride, const double *restrict q, double *restr
     /* rocker: results */
     const REAL rocker_poses_Rzx = k4 * minus_rocker_sin - k3 * rocker_cos;
     WRITE(poses, 26, rocker_poses_Rzx);
+    const REAL rocker_poses_z = (-D_at_x) * rocker_poses_Rzx;
+    WRITE(poses, 35, rocker_poses_z);
+    REAL checked0 = rocker_poses_z;
     WRITE(poses, 30, -rocker_poses_Rzx);
-    const REAL t18 = D_at_x * rocker_poses_Rzx;
-    REAL checked0 = t18;
-    WRITE(poses, 35, -t18);
     const REAL rocker_poses_Rxx = k3 * minus_rocker_sin + k4 * rocker_cos;
     WRITE(poses, 24, rocker_poses_Rxx);
     WRITE(poses, 32, rocker_poses_Rxx);
@@ -91,9 +91,7 @@ BODY(four_bar_body_twists)(size_t stride, const double *restrict q, const double
     const REAL rocker_twist_vz = D_at_x * D_v;
     WRITE(twists, 17, rocker_twist_vz);
     REAL checked3 = rocker_twist_vz;
-    const REAL minus_coupler_twist_vx = B_v * (B_at_z * SINES(cosine, 0));
-    checked0 = checked0 + minus_coupler_twist_vx;
-    WRITE(twists, 9, -minus_coupler_twist_vx);
+    RESULT(checked0, twists, 9, (-B_at_z) * SINES(cosine, 0) * B_v);
     RESULT(checked1, twists, 11, B_v * (B_at_z * SINES(sine, 0)));
     WRITE(twists, 0, CONSTANT(0.0));
     WRITE(twists, 2, CONSTANT(0.0));
@@ -289,16 +287,16 @@ BODY(four_bar_platform_jacobian)(size_t stride, const double *restrict q, double
 BODY(four_bar_joint_displacements)(size_t stride, const double *restrict q, double *restrict displacements,
     double *restrict total)
 {
-    /* A: results */
-    const REAL A_q = READ(q, 0);
-    WRITE(displacements, 0, A_q);
+    /* D: results */
     const REAL D_q = READ(q, 2);
     WRITE(displacements, 3, D_q);
+    const REAL A_q = READ(q, 0);
+    WRITE(displacements, 0, A_q);
     const REAL B_q = READ(q, 1);
     WRITE(displacements, 1, B_q);
-    const REAL t2 = B_q + (A_q - D_q); /* C */
-    REAL checked0 = t2; /* C */
-    WRITE(displacements, 2, -t2);
+    const REAL C_displacements = D_q - A_q - B_q;
+    WRITE(displacements, 2, C_displacements);
+    REAL checked0 = C_displacements;
     FINITE(checked0);
 }
 
@@ -343,28 +341,28 @@ BODY(four_bar_inverse_velocity)(size_t stride, const double *restrict pose, cons
     const REAL minus_rocker_sin = SINES(sine, 0), t3 = D_at_x - k6 * minus_rocker_sin, rocker_cos = SINES(cosine,
         0),
       t4 = t3 * t3, minus_rocker_joint_force_my_by_C_fz = k6 * rocker_cos,
-      t5 = minus_rocker_joint_force_my_by_C_fz * minus_rocker_joint_force_my_by_C_fz + t4, t6 = t5 - k14,
-      t9 = 0.5 * t6, t11 = k16 - t9 * t9, t12 = SQRT(t11), t14 = SELECT(0.0, -t12, t12);
+      t5 = minus_rocker_joint_force_my_by_C_fz * minus_rocker_joint_force_my_by_C_fz + t4, t6 = t5 - k16,
+      t9 = 0.5 * t6, t11 = k18 - t9 * t9, t12 = SQRT(t11), t14 = SELECT(0.0, -t12, t12);
     /* crank: reciprocal wrenches, eq. (10); geometry */
-    const REAL crank_lever_mx_by_C_fz = k17 * t14, t15 = t3 * crank_lever_mx_by_C_fz,
+    const REAL crank_lever_mx_by_C_fz = k19 * t14, t15 = t3 * crank_lever_mx_by_C_fz,
       t21 = minus_rocker_joint_force_my_by_C_fz * crank_lever_mx_by_C_fz,
-      minus_crank_lever_my_by_C_fz = B_at_z + k15 * t6,
+      minus_crank_lever_my_by_C_fz = B_at_z + k17 * t6,
       t16 = minus_rocker_joint_force_my_by_C_fz * minus_crank_lever_my_by_C_fz + t15,
-      t22 = t3 * minus_crank_lever_my_by_C_fz - t21, coupler_cos = k17 * t6, t7 = 1.0 / t5, /* rocker */
+      t22 = t3 * minus_crank_lever_my_by_C_fz - t21, coupler_cos = k19 * t6, t7 = 1.0 / t5, /* rocker */
       crank_cos = t7 * t16, crank_sin = t7 * t22, D_rate = READ(rate, 0);
     WRITE(v, 2, D_rate);
-    const REAL crank_lever_mz_by_C_fy = t5 + k22, t17 = k6 * D_rate; /* D */
+    const REAL crank_lever_mz_by_C_fy = t5 + k24, t17 = k6 * D_rate; /* D */
     /* C: loop closure */
     const REAL t18 = minus_rocker_sin * t17, t23 = rocker_cos * t17, t27 = crank_sin * t18,
       t25 = crank_cos * t18 + crank_sin * t23, t29 = t27 - crank_cos * t23, t26 = coupler_cos * t25,
-      t32 = coupler_cos * t29, coupler_sin = k21 * t14, minus_C_opening_rate_fx = t26 - coupler_sin * t29,
+      t32 = coupler_cos * t29, coupler_sin = k23 * t14, minus_C_opening_rate_fx = t26 - coupler_sin * t29,
       C_opening_rate_fy = coupler_sin * t25 + t32, crank_lever_mz_by_C_fx = 2.0 * t14;
     REAL checked0 = crank_lever_mz_by_C_fx;
     const REAL crank_omega_z = minus_C_opening_rate_fx / crank_lever_mz_by_C_fx;
     WRITE(v, 0, crank_omega_z);
-    const REAL t35 = 2.0 * (C_opening_rate_fy + crank_lever_mz_by_C_fy * crank_omega_z); /* B */
-    REAL checked1 = t35; /* B */
-    WRITE(v, 1, -t35);
+    const REAL B_v = (-2.0) * (C_opening_rate_fy + crank_lever_mz_by_C_fy * crank_omega_z);
+    WRITE(v, 1, B_v);
+    REAL checked1 = B_v;
     /* else status 11: out of reach: limb A does not get there */
     NOT_BELOW(t11, 0.0, 11);
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
@@ -500,16 +498,16 @@ BODY(four_bar_inverse_kinematics)(size_t stride, const double *restrict pose, do
     /* rocker: geometry; balance, eqs. (40)-(47); reciprocal wrenches, eq. (10) */
     const REAL t3 = D_at_x - k6 * SINES(sine, 0), t4 = t3 * t3,
       minus_rocker_joint_force_my_by_C_fz = k6 * SINES(cosine, 0),
-      t5 = minus_rocker_joint_force_my_by_C_fz * minus_rocker_joint_force_my_by_C_fz + t4, t7 = t5 - k14,
-      t6 = 1.0 / t5, t9 = 0.5 * t7, t11 = k16 - t9 * t9, t12 = SQRT(t11), t14 = SELECT(0.0, -t12, t12),
-      crank_lever_mx_by_C_fz = k17 * t14,
+      t5 = minus_rocker_joint_force_my_by_C_fz * minus_rocker_joint_force_my_by_C_fz + t4, t7 = t5 - k16,
+      t6 = 1.0 / t5, t9 = 0.5 * t7, t11 = k18 - t9 * t9, t12 = SQRT(t11), t14 = SELECT(0.0, -t12, t12),
+      crank_lever_mx_by_C_fz = k19 * t14,
       t15 = minus_rocker_joint_force_my_by_C_fz * crank_lever_mx_by_C_fz, /* crank */
       t18 = t3 * crank_lever_mx_by_C_fz, /* crank */
-      minus_crank_lever_my_by_C_fz = B_at_z + k15 * t7, crank_sin = t6 * (t3 * minus_crank_lever_my_by_C_fz - t15),
+      minus_crank_lever_my_by_C_fz = B_at_z + k17 * t7, crank_sin = t6 * (t3 * minus_crank_lever_my_by_C_fz - t15),
       A_q = atan2(crank_sin, t6 * (minus_rocker_joint_force_my_by_C_fz * minus_crank_lever_my_by_C_fz + t18));
     WRITE(q, 0, A_q);
     REAL checked0 = A_q;
-    const REAL t22 = k18 * t14 - k19 * t7, B_q = atan2(t22, 4.0 * t7 + k20 * t14);
+    const REAL t22 = k20 * t14 - k21 * t7, B_q = atan2(t22, 4.0 * t7 + k22 * t14);
     WRITE(q, 1, B_q);
     REAL checked1 = B_q;
     const REAL D_pose = READ(pose, 0);
@@ -539,9 +537,9 @@ BODY(four_bar_drive_positions)(size_t stride, const double *restrict pose, doubl
     /* rocker: geometry; balance, eqs. (40)-(47); reciprocal wrenches, eq. (10) */
     const REAL t3 = D_at_x - k6 * SINES(sine, 0), t4 = t3 * t3,
       minus_rocker_joint_force_my_by_C_fz = k6 * SINES(cosine, 0),
-      t5 = minus_rocker_joint_force_my_by_C_fz * minus_rocker_joint_force_my_by_C_fz + t4, t7 = t5 - k14,
-      t6 = 1.0 / t5, t9 = 0.5 * t7, t11 = k16 - t9 * t9, t12 = SQRT(t11),
-      minus_crank_lever_my_by_C_fz = B_at_z + k15 * t7, crank_lever_mx_by_C_fz = k17 * SELECT(0.0, -t12, t12),
+      t5 = minus_rocker_joint_force_my_by_C_fz * minus_rocker_joint_force_my_by_C_fz + t4, t7 = t5 - k16,
+      t6 = 1.0 / t5, t9 = 0.5 * t7, t11 = k18 - t9 * t9, t12 = SQRT(t11),
+      minus_crank_lever_my_by_C_fz = B_at_z + k17 * t7, crank_lever_mx_by_C_fz = k19 * SELECT(0.0, -t12, t12),
       t15 = minus_rocker_joint_force_my_by_C_fz * crank_lever_mx_by_C_fz, /* crank */
       t18 = t3 * crank_lever_mx_by_C_fz, /* crank */
       crank_sin = t6 * (t3 * minus_crank_lever_my_by_C_fz - t15),

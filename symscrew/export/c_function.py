@@ -23,7 +23,9 @@ from symscrew.export.stages import headed
 from symscrew.program import OUT_OF_REACH, Packing, status_texts
 
 LARGE = 100  # rows of a stage in the mean from which on stages are shorter text in any case; below, both are printed
-SHORTER = 0.85  # of the text that stages must leave: where they save less, limbs are not very equal
+# Of the text that stages must leave: where they save less, limbs are not very equal. Any less will do where roots begin
+# early by stages, for they save time: delta's drives from the platform's motion, one mode, take 0.91.
+SHORTER = 0.85
 SUMS = 4  # of what must be finite, side by side: one alone is a chain of additions that wait for each other
 
 
@@ -45,7 +47,7 @@ def body(printed: Printed) -> list[str]:
     if staged.lanes or len(staged.rows) >= LARGE * len(staged.stages):
         return text
     whole = _body(printed, None)
-    return text if sum(map(len, text)) < SHORTER * sum(map(len, whole)) else whole
+    return text if sum(map(len, text)) < (1.0 if staged.early else SHORTER) * sum(map(len, whole)) else whole
 
 
 def _body(printed: Printed, limbs: LimbText | None) -> list[str]:

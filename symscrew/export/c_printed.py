@@ -147,7 +147,7 @@ class Printed:
             return self.lanes_of_limbs
         stored = [slot for *_, slot in self.stored if isinstance(slot, int)]
         arrays = {slot: array for slot, (array, _) in self.entries.items()}
-        return stages_of_limbs(self.corresponding, stored, arrays)
+        return stages_of_limbs(self.corresponding, stored, arrays, self.ports)
 
     def take(self, packing: Packing | None) -> None:
         """Its packed form, found by another process."""

@@ -194,10 +194,31 @@ class _Lowering:
                 return "div", (y, x.args[0])
         elif op == "neg":
             self.negatives.append(node)
-            inner = args[0]
-            if inner.op == "sub" and self._single(inner):
-                return "sub", (inner.args[1], inner.args[0])
+            return self._turned(args[0]) or (op, args)
         return op, args
+
+    def _turned(self, node: Node) -> tuple[str, tuple[Node, ...]] | None:
+        """The negative of a node in place of it, if that takes no operation more: -(x (y - z) + w) is x (z - y) - w."""
+        if not self._turns(node):
+            return None
+        x, y = node.args
+        if node.op == "sub":
+            return "sub", (y, x)
+        first = x.value is not None or self._turns(x)
+        minus, other = (node.tape.neg(x), y) if first else (node.tape.neg(y), x)
+        return ("sub" if node.op == "add" else "mul"), (minus, other)
+
+    def _turns(self, node: Node) -> bool:
+        """Whether a difference that nothing else reads can be the other way round for the negative of a node."""
+        waiting = [node]
+        while waiting:
+            here = waiting.pop()
+            if self._single(here):
+                if here.op == "sub" or (here.op == "mul" and here.args[0].value is not None):
+                    return True
+                if here.op in ("add", "mul"):
+                    waiting += here.args[::-1]
+        return False
 
     def _emit(self, op: str, args: tuple[int | float, ...]) -> int:
         # slot 2 and the constant 2.0 are equal, and not the same

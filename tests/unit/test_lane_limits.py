@@ -102,6 +102,8 @@ def test_beyond_a_limit_nothing_is_packed(
         (packs, "HOPELESS", 9.0),
         (packs, "LIKELY", 9.0),
         (packs, "NEAR", 9.0),
+        (packs, "HARDLY", 0.0),
+        (packs, "HARDLY", 9.0),
         (pack_plan, "ROUNDS_OF_UNDOING", 0),
         (pack_plan, "GATHERED", 0.1),
         (pack_plan, "TAKEN_OUT", 9.0),
@@ -130,7 +132,7 @@ def test_legs_that_cannot_save_as_much_as_others_are_not_looked_through() -> Non
     """Of two legs stages save one operation a row, of all four three: rows of two are too few, whatever they are."""
     found = families((0, 1), (0, 1, 2, 3))
     two, four = (next(r for r in found.readings(8) if len(r.family) == n) for n in (2, 4))
-    stages = stages_of_limbs(found, [], {})
+    stages = stages_of_limbs(found, [], {}, {})
     assert stages is not None and len(stages.limbs) == 4
     assert "rows" in four.__dict__ and "rows" not in two.__dict__
     assert 0 < len(two.whole) <= two.most < 3 * len(four.whole) <= 3 * four.most
@@ -138,9 +140,46 @@ def test_legs_that_cannot_save_as_much_as_others_are_not_looked_through() -> Non
 
 @pytest.mark.parametrize("chosen", [((0, 1, 2, 3), (3, 2, 1, 0)), ((3, 2, 1, 0), (0, 1, 2, 3))])
 def test_of_families_that_save_the_same_the_first_is_taken(chosen: tuple[tuple[int, ...], ...]) -> None:
-    stages = stages_of_limbs(families(*chosen), [], {})
+    stages = stages_of_limbs(families(*chosen), [], {}, {})
     assert stages is not None
     assert [limb.name for limb in stages.limbs] == [f"leg{k}" for k in chosen[0]]
+
+
+def moved(*, roots: bool) -> Program:
+    """Legs between what a pose and a rate of the hub give: geometry, with a root of its own or without, then rates."""
+    tape = Tape()
+    pose, rates = ([tape.symbol(f"{name}{k}", "1", "input") for k in range(3)] for name in "pr")
+    own = [[tape.symbol(f"x{k}_{n}", "1", "input") for n in range(3)] for k in range(LEGS)]
+    at, speed = ([x * y for x, y in zip(some, some[1:] + some[:1], strict=True)] for some in (pose, rates))
+    results: list[Node] = []
+    for data in own:
+        reach = [a + x for a, x in zip(at, data, strict=True)]
+        square = reach[0] * reach[0] + reach[1] * reach[1] + reach[2] * reach[2]
+        along = [r / (tape.sqrt(square) if roots else square) for r in reach]
+        rate = [a + s * x for a, s, x in zip(along, speed, data, strict=True)]
+        results += [rate[0] * rate[0] + rate[1] * rate[1] + rate[2] * rate[2], (rate[0] * rate[1] + rate[2]) * along[0]]
+    labels = (*(f"hub.{k}" for k in range(3)), *(f"leg{k}.{n}" for k in range(LEGS) for n in range(3)))
+    told = {"pose": labels, "rate": labels[:3]}
+    inputs = [Port(name, (len(some),), ("1",) * len(some), some, "") for name, some in told.items()]
+    output = Port("y", (len(results),), ("1",) * len(results), (), "")
+    given = (*pose, *(x for leg in own for x in leg)), tuple(rates)
+    equal = Limbs((tuple(Limb(f"leg{k}", {f"leg{k}": "link"}) for k in range(LEGS)),))
+    return lower(Function("legs", "", tuple(inputs), (output,), given, (tuple(results),), limbs=equal))
+
+
+@pytest.mark.parametrize(("roots", "inputs", "early"), [(True, 2, True), (False, 2, False), (True, 1, False)])
+def test_roots_of_all_limbs_begin_before_the_rates_of_the_first(roots: bool, inputs: int, early: bool) -> None:
+    """Where limbs take roots, and the hub has more than coordinates, these come in a stage of their own."""
+    of = moved(roots=roots)
+    slots = [k for k, port in enumerate(of.inputs) for _ in range(port.size)]
+    ports = {slot: min(k, inputs - 1) for slot, k in enumerate(slots)}
+    found = Corresponding(of.instructions, origins=of.origins, limbs=of.limbs)
+    stored = [s for s in of.results[0] if isinstance(s, int)]
+    stages = stages_of_limbs(found, stored, {}, ports)
+    assert stages is not None
+    assert (stages.early, len(stages.stages)) == (early, 1 + early)
+    with_roots = {row.stage for row in stages.rows if row.op == "sqrt"}
+    assert with_roots == ({0} if roots else set())
 
 
 def test_more_lanes_than_a_vector_holds_take_several() -> None:

@@ -75,3 +75,77 @@ def test_small_differences_of_squares_keep_their_digits() -> None:
     expected = 1e-6 + 2 * np.sin(angles[:, 0]) ** 2
     np.testing.assert_allclose(got[:, 0], expected, rtol=1e-15)
     assert sorted(operations(program)) == ["add", "mul", "mul", "sin"]  # no cosine at all
+
+
+def nested(roots: Sequence[Node], inputs: Sequence[Node]) -> Program:
+    ports = (
+        Port("x", (len(inputs),), ("1",) * len(inputs), (), ""),
+        Port("r", (len(roots),), ("1",) * len(roots), (), ""),
+    )
+    return lower(Function("sums", "", ports[:1], ports[1:], (tuple(inputs),), (tuple(roots),)))
+
+
+def test_factors_are_common_wherever_they_stand_in_a_sum() -> None:
+    tape = Tape()
+    x, y, z, u = (tape.symbol(name, "1", "input") for name in "xyzu")
+    found = {
+        x * (y * u) + z - u * (z * z): 5,  # u (x y - z z) + z, and not 6 operations
+        x * (y * z) + y * (x * z): 3,  # 2 x y z
+        (x * y) * z + u - y * (x * z): 0,  # u
+        0.5 * (x * x) - 0.5 * (z * u): 4,
+    }
+    states = np.random.default_rng(7).normal(size=(9, 4))
+    a, b, c, d = states.T
+    expected = (a * b * d + c - d * c * c, 2 * a * b * c, d, (a * a - c * d) / 2)
+    for (root, operations_), values in zip(found.items(), expected, strict=True):
+        program = nested([root], (x, y, z, u))
+        (got,), _ = evaluate(program, [states])
+        np.testing.assert_allclose(got[:, 0], values, rtol=1e-13, atol=1e-15)
+        assert len(program.instructions) == operations_
+
+
+def test_what_something_else_reads_stays_and_counts_twice_where_it_stands_twice() -> None:
+    tape = Tape()
+    x, y, z, u = (tape.symbol(name, "1", "input") for name in "xyzu")
+    product = x * y
+    program = nested([product * z + u * product, (product + z) + product, product], (x, y, z, u))
+    states = np.random.default_rng(8).normal(size=(9, 4))
+    (got,), _ = evaluate(program, [states])
+    a, b, c, d = states.T
+    np.testing.assert_allclose(got, np.column_stack([a * b * (c + d), 2 * a * b + c, a * b]), rtol=1e-13, atol=1e-15)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_random_sums_of_products_keep_their_values(seed: int) -> None:
+    rng, tape = np.random.default_rng(seed), Tape()
+    inputs = [tape.symbol(name, "1", "input") for name in "xyzuvw"]
+    nodes = list(inputs)
+    for _ in range(60):
+        one, other = (nodes[k] for k in rng.integers(max(0, len(nodes) - 20), len(nodes), size=2))
+        nodes.append([one + other, one - other, one * other, one * other, 0.5 * one * other][rng.integers(5)])
+    roots = [node for node in nodes[-3:] if node.value is None]
+    states = rng.uniform(0.2, 0.6, size=(5, 6))
+    tape.set_samples(dict(zip(inputs, states.T, strict=True)))
+    (got,), _ = evaluate(nested(roots, inputs), [states])
+    expected = np.column_stack([tape.sample(root) for root in roots])
+    np.testing.assert_allclose(got, expected, rtol=1e-9, atol=1e-9 * np.abs(expected).max())
+
+
+def test_the_negative_of_what_has_a_difference_takes_no_operation() -> None:
+    """-(x (y - z) + u) is x (z - y) - u, and so with a constant; of what something else reads it is one more."""
+    tape = Tape()
+    x, y, z, u = (tape.symbol(name, "1", "input") for name in "xyzu")
+    states = np.random.default_rng(9).normal(size=(9, 4))
+    a, b, c, d = states.T
+    product = x * (y - z)
+    cases = (
+        ([-(product + u)], (-(a * (b - c) + d),), ["mul", "sub", "sub"]),
+        ([-(0.5 * (x * y) + u)], (-(a * b / 2 + d),), ["mul", "mul", "sub"]),
+        ([-(product + u), product], (-(a * (b - c) + d), a * (b - c)), ["add", "mul", "neg", "sub"]),
+        ([-(x * y + u)], (-(a * b + d),), ["add", "mul", "neg"]),
+    )
+    for roots, values, expected in cases:
+        program = nested(roots, (x, y, z, u))
+        (got,), _ = evaluate(program, [states])
+        np.testing.assert_allclose(got, np.column_stack(values), rtol=1e-13, atol=1e-15)
+        assert operations(program) == expected

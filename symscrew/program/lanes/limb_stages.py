@@ -12,6 +12,7 @@ the other one is added or taken away, limb by limb. So no operation is added whe
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping
+from dataclasses import replace
 
 from symscrew.program.equal_limbs import Limb
 from symscrew.program.lanes.corresponding import Corresponding
@@ -22,18 +23,25 @@ from symscrew.program.lanes.staged_rows import LimbRow, LimbStages, Single, stag
 
 FEWEST = 6  # rows of a stage: its head, its call per limb and what it hands on take as many lines as it saves
 PART = 0.3  # of the operations that stages must save: of less, the text is hardly shorter, and limbs are not so equal
-# Of a program in lanes: vectors put together for a stage wait for all limbs. The seed's drives from the platform's
-# motion, in seven stages, took 1.06 of the time in lanes; its other functions, in up to five, at most 1.02.
-MOST_STAGES = 6
+# Of a program in lanes: vectors put together for a stage wait for all limbs. In seven stages the seed's drives from the
+# platform's motion once took 1.06 of the time in lanes, its independent drives take 0.97; others have up to five.
+MOST_STAGES = 7
 MOST_LIMBS = 8  # pairs of operations grow with the square of their number
+# A root, and the division by it, take as long as thirty operations: where limbs have some, what needs no rates is in
+# stages of its own, so that the roots of all limbs begin before the rates of the first. One state of the drives from
+# the platform's motion takes so 0.80 (delta, one mode), 0.95 (6-UPS) and 0.99 (seed) of the time; functions without
+# roots, parted in the same way, up to 1.13.
+WAITS = "sqrt"
 SIGNLESS = ("add", "sub", "mul", "div", "reciprocal")  # operations that take operands of any sign
 
 
-def stages_of_limbs(found: Corresponding, stored: Collection[int], arrays: Mapping[int, str]) -> LimbStages | None:
+def stages_of_limbs(
+    found: Corresponding, stored: Collection[int], arrays: Mapping[int, str], ports: Mapping[int, int]
+) -> LimbStages | None:
     """The stages that save most, or None where there are none; `stored` are slots that are needed with their sign.
 
-    `arrays` says of which array slots are that are there from the start. Of readings that save as much the first one is
-    taken; the one that may save most is tried first, for it often spares the others.
+    `arrays` and `ports` say of which array and input slots are that are there from the start. Of readings that save as
+    much the first one is taken; the one that may save most is tried first, for it often spares the others.
     """
     readings = list(enumerate(found.readings(MOST_LIMBS)))
     if not readings:
@@ -55,7 +63,11 @@ def stages_of_limbs(found: Corresponding, stored: Collection[int], arrays: Mappi
     if best is None:
         return None
     *_, plan, family = best
-    return _stages(packing_of(plan, negatives, stored), family, {}, lanes=False)
+    packing = packing_of(plan, negatives, stored)
+    rates = {slot: min(port, 1) for slot, port in ports.items()}  # coordinates come first
+    if 1 in rates.values() and any(isinstance(item, Pack) and item.op == WAITS for item in packing.items):
+        return replace(_stages(packing, family, rates, lanes=False), early=True)
+    return _stages(packing, family, {}, lanes=False)
 
 
 def stages_of_lanes(packing: Packing, family: tuple[Limb, ...], ports: Mapping[int, int]) -> LimbStages | None:

@@ -48,13 +48,17 @@ class Single:
 
 @dataclass(frozen=True)
 class LimbStages:
-    """A program in stages of equal limbs, and single operations."""
+    """A program in stages of equal limbs, and single operations.
+
+    `lanes`: whether these are those of its form in lanes, too; `early`: whether roots of all limbs begin before rates.
+    """
 
     limbs: tuple[Limb, ...]
     rows: tuple[LimbRow, ...]
     singles: tuple[Single, ...]
     negatives: Mapping[int, Operand]
-    lanes: bool = False  # whether these are those of its form in lanes, too
+    lanes: bool = False
+    early: bool = False
 
     @cached_property
     def stages(self) -> tuple[tuple[LimbRow, ...], ...]:
