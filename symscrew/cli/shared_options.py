@@ -142,7 +142,9 @@ def check_folder(directory: str | Path, option: str = "--out") -> None:
     path = Path(directory)
     if "\0" in str(directory):
         raise UsageError(f"{option}: a path must not contain a null character")
-    there = next((p for p in (path, *path.absolute().parents) if p.exists()), Path("/"))
+    there = next((p for p in (path, *path.absolute().parents) if os.path.lexists(p)), Path("/"))
+    if there.is_symlink() and not there.exists():
+        raise UsageError(f"{option}: a link that leads nowhere: {shorten(str(there), 200)}; remove it")
     if not there.is_dir():
         raise UsageError(f"{option}: expected a folder, found a file: {shorten(str(there), 200)}")
     if not os.access(there, os.W_OK | os.X_OK):
