@@ -184,6 +184,12 @@ def no_matplotlib() -> str:
     return ""
 
 
+def check_expected(options: argparse.Namespace) -> None:
+    """Raises UsageError where `--expect` says a number that nothing is."""
+    if options.expect is not None and options.expect < 0:
+        raise UsageError(f"--expect: expected a number from 0 on, got {options.expect}")
+
+
 def settings(option: str, texts: Sequence[str]) -> dict[str, str]:
     """KEY -> VALUE of arguments KEY=VALUE, one or several in each, between commas.
 
