@@ -60,7 +60,7 @@ def run(options: argparse.Namespace) -> int:
     picture = destination(options.plot, (".png",), "--plot") if options.plot else None
     if picture is not None:
         need_matplotlib("--plot needs")
-    if options.rate is not None and not options.rate > 0:
+    if options.rate is not None and not 0 < options.rate < float("inf"):
         raise UsageError(f"--rate: expected samples per second above 0, got {options.rate:g}")
     words = (out.suffix, picture is not None, options.rate, options.time_limit, options.starts)
     written = {"plan": out, "picture": picture}
