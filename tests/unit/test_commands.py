@@ -163,6 +163,7 @@ def test_what_is_given_twice_is_not_lost(name: str, option: str, choices: tuple[
         ("draw four_bar --out=--", "argument --out: expected a value, got '--'"),
         ("new a --limbs=--", "argument --limbs: expected a value, got '--'"),
         ("drives four_bar --motion A=t --motion A=2*t --duration 1", "--motion: A is given twice"),
+        ("optimise own.toml --out a.npz --rate=inf", "--rate: expected samples per second above 0, got inf"),
         ("mobility four_bar --expect -1", "--expect: expected a number from 0 on, got -1"),
         ("assemble four_bar --expect -1", "--expect: expected a number from 0 on, got -1"),
         ("mobility four_bar --proof own.toml", "--proof: expected a file name that ends in .json, got 'own.toml'"),
