@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 from symscrew.cli.help import DONE, FAILED, UsageError
 from symscrew.cli.shared_options import (
     add_mechanism,
+    check_expected,
     check_folder,
     find_mechanism,
     need_matplotlib,
@@ -40,11 +41,11 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.description = f"{command.description}\n{IN_PYTHON}"
     add_mechanism(command)
     command.add_argument(
-        "--drives", nargs="+", action="extend", default=[], metavar="KEY=VALUE",
+        "--drives", nargs="+", default=[], metavar="KEY=VALUE",
         help="driven coordinates (joint, joint.i) [rad, m]; others are as in the reference",
     )  # fmt: skip
     command.add_argument(
-        "--at", nargs="+", action="extend", default=[], metavar="KEY=VALUE",
+        "--at", nargs="+", default=[], metavar="KEY=VALUE",
         help="parameters, or coordinates of joints that are held in place of the drives",
     )  # fmt: skip
     command.add_argument("--expect", type=int, metavar="N", help="exit 1 unless there are N modes, certified")
@@ -62,6 +63,7 @@ def run(options: argparse.Namespace) -> int:
     from symscrew.display import print_text
     from symscrew.kinematics import angle_notices
 
+    check_expected(options)
     picture = _picture(options.picture)
     drives, at = (settings(name, getattr(options, name)) for name in ("drives", "at"))
     mechanism = find_mechanism(options.mechanism)

@@ -76,7 +76,7 @@ def run(options: argparse.Namespace) -> int:
     path, source = Path(options.out), Path(options.mechanism)
     if path.suffix not in WRITERS:
         raise UsageError(f"--out: expected a name that ends in {', '.join(WRITERS)}, got {options.out!r}")
-    if options.scene and Path(options.scene).resolve() == path.resolve():
+    if options.scene and os.path.realpath(options.scene) == os.path.realpath(path):
         raise UsageError(f"--scene: expected another file than --out, got {options.scene!r} for both")
     for file, option in ((options.out, "--out"), (options.scene, "--scene")):
         if file and Path(file).exists() and not options.replace:

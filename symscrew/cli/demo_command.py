@@ -5,9 +5,10 @@ from __future__ import annotations
 import argparse
 import json
 import sys
+from pathlib import Path
 
 from symscrew.cli.help import DONE, FAILED
-from symscrew.cli.shared_options import add_no_cache, need_matplotlib, writable_folder
+from symscrew.cli.shared_options import add_no_cache, check_folder, need_matplotlib
 
 EXAMPLES = ("symscrew demo", "symscrew demo --out figures")
 
@@ -26,7 +27,8 @@ def run(options: argparse.Namespace) -> int:
 
     if options.out:
         need_matplotlib()
-    directory = writable_folder(options.out) if options.out else None
+        check_folder(options.out)
+    directory = Path(options.out) if options.out else None
     progress = Progress()
     result = study_paper(progress=progress)
     written = write_figures(result, directory, progress) if directory else []

@@ -19,7 +19,6 @@ from symscrew.cli.shared_options import (
     find_mechanism,
     keep_inputs,
     no_matplotlib,
-    writable_folder,
 )
 
 if TYPE_CHECKING:
@@ -73,9 +72,8 @@ def run(options: argparse.Namespace) -> int:
     else:
         print_text(study_text(found))
     if options.out:
-        folder = writable_folder(options.out)
         missing = no_matplotlib()
-        for path in write_study(found, folder, drawn=not missing):
+        for path in write_study(found, Path(options.out), drawn=not missing):
             print(f"wrote {path}", file=sys.stderr)
         if missing:
             print(f"no pictures: matplotlib {missing}", file=sys.stderr)

@@ -48,6 +48,12 @@ class Parser(argparse.ArgumentParser):
             f"{message.removesuffix('?')}{'? See' if message.endswith('?') else '; see'} {self.prog} --help"
         )
 
+    def add_argument(self, *names: Any, **more: Any) -> argparse.Action:
+        """As usual, but an option of several values that is given twice has the values of both."""
+        if more.get("nargs") == "+" and "action" not in more and str(names[0]).startswith("-"):
+            more["action"] = Gathered
+        return super().add_argument(*names, **more)
+
     def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
         """As usual, but an option that does not exist is the first thing said, with the nearest that do."""
         for word in sys.argv[1:] if args is None else args:
@@ -83,6 +89,15 @@ class Parser(argparse.ArgumentParser):
         self.set_defaults(command=found.run)
         self.formatter_class = argparse.RawDescriptionHelpFormatter
         self.epilog = "examples:\n" + "\n".join(f"  {line}" for line in found.EXAMPLES)
+
+
+class Gathered(argparse.Action):
+    """Values of an option, of all the times that it is given; the first ones take the place of the default."""
+
+    def __call__(self, parser: Any, namespace: Any, values: Any, option_string: str | None = None) -> None:
+        """Add the values of one time."""
+        before = getattr(namespace, self.dest)
+        setattr(namespace, self.dest, [*(() if before is self.default else before), *values])
 
 
 class CommandParsers(dict[str, Parser]):

@@ -12,7 +12,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from symscrew.cli.help import DONE, FAILED, UsageError
-from symscrew.cli.shared_options import add_mechanism, add_no_cache, check_folder, find_mechanism, settings
+from symscrew.cli.shared_options import (
+    add_mechanism,
+    add_no_cache,
+    check_expected,
+    check_folder,
+    find_mechanism,
+    settings,
+)
 from symscrew.errors import shorten
 from symscrew.garbage import nothing_to_collect
 from symscrew.whole_files import destination, write_text
@@ -35,7 +42,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     """Options of `symscrew mobility`."""
     add_mechanism(command)
     command.add_argument(
-        "--at", nargs="+", action="extend", default=[], metavar="KEY=VALUE",
+        "--at", nargs="+", default=[], metavar="KEY=VALUE",
         help="parameters and coordinates with units (z=10mm tilt=30deg): joint, joint.i, joint.rx, and of a body, by "
         "default the platform, x, rx, roll, pitch, yaw, tilt, azimuth, torsion, turn='30deg about 1,1,0'; all others "
         "follow and are listed",
@@ -90,6 +97,7 @@ def run(options: argparse.Namespace) -> int:
     for file, option in ((options.out, "--out"), (options.proof, "--proof")):
         if file:
             check_folder(Path(file).parent, option)
+    check_expected(options)
     if options.proof:
         destination(options.proof, (".json",), "--proof")
     mechanism = find_mechanism(options.mechanism)

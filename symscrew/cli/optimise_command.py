@@ -6,13 +6,13 @@ import argparse
 import os
 import sys
 from collections.abc import Iterable, Iterator
-from contextlib import contextmanager, redirect_stdout
+from contextlib import ExitStack, contextmanager, redirect_stdout
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, UsageError
 from symscrew.cli.shared_options import add_no_cache, need_matplotlib
-from symscrew.whole_files import destination
+from symscrew.whole_files import destination, stage
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -60,7 +60,7 @@ def run(options: argparse.Namespace) -> int:
     picture = destination(options.plot, (".png",), "--plot") if options.plot else None
     if picture is not None:
         need_matplotlib("--plot needs")
-    if options.rate is not None and not options.rate > 0:
+    if options.rate is not None and not 0 < options.rate < float("inf"):
         raise UsageError(f"--rate: expected samples per second above 0, got {options.rate:g}")
     words = (out.suffix, picture is not None, options.rate, options.time_limit, options.starts)
     written = {"plan": out, "picture": picture}
@@ -92,7 +92,6 @@ def _solvers_aside() -> Iterator[None]:
 def _found(options: argparse.Namespace, out: Path, picture: Path | None) -> Outcome:
     """The motion or motions of a problem file: those found before of the same problem, or found now."""
     from symscrew.cli.kept_outcomes import once
-    from symscrew.cli.same_files import write_again
     from symscrew.optimisation import JoinedProblem, load_problem_file
 
     problem = load_problem_file(options.problem)
@@ -113,24 +112,28 @@ def _found(options: argparse.Namespace, out: Path, picture: Path | None) -> Outc
     found = once("optimise", (problem, out.suffix, options.rate, picture is not None), lambda: _solved(
         problem, out, picture, rate=options.rate))  # fmt: skip
     if found.earlier:
-        write_again(found, {"plan": out, "picture": picture}, EARLIER)
+        print(EARLIER, file=sys.stderr)
     return replace(found, facts={**found.facts, "notices": notices}, earlier=False)
 
 
 def _solved(problem: TrajectoryProblem, out: Path, picture: Path | None, *, rate: float | None) -> Outcome:
-    """The motion found and written; its numbers, words and files."""
+    """The motion found; its numbers, words and files."""
     from symscrew.cli.same_files import Outcome
     from symscrew.optimisation import replay, solve, write_plan
 
     found = solve(problem, progress=lambda text: print(text, file=sys.stderr))
-    write_plan(found, out, rate=rate)
     again = replay(found) if found.ok and found.model.equations.accelerates else None
-    files = {"plan": out.read_bytes()}
-    if picture is not None:
-        from symscrew.optimisation import plot_plan  # brings Matplotlib
+    files = {}
+    with ExitStack() as held:  # all files are made before the first of them is there
+        plan = held.enter_context(stage(out)) / out.name
+        write_plan(found, plan, rate=rate)
+        files["plan"] = plan.read_bytes()
+        if picture is not None:
+            from symscrew.optimisation import plot_plan  # brings Matplotlib
 
-        plot_plan(found, picture, again)
-        files["picture"] = picture.read_bytes()
+            drawn = held.enter_context(stage(picture)) / picture.name
+            plot_plan(found, drawn, again)
+            files["picture"] = drawn.read_bytes()
     facts = {"numbers": _numbers(found, again), "lines": summary(found, again)}
     return Outcome(facts, files, good=bool(found.ok) and problem.solver.time_limit == float("inf"))
 

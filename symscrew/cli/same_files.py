@@ -71,24 +71,24 @@ def keep_outcome(key: str | None, made: Outcome) -> None:
         kept.write(json.dumps({"facts": made.facts, "files": files}).encode("ascii"))
 
 
-def write_again(outcome: Outcome, paths: Mapping[str, Path | None], said: str) -> None:
-    """Say that an outcome is of an earlier run, and write its files to the paths of this one."""
+def write_files(outcome: Outcome, paths: Mapping[str, Path | None]) -> None:
+    """Write the files of an outcome, all of which are there by now, to the paths of this run."""
     from symscrew.whole_files import replaced
 
-    print(said, file=sys.stderr)
     for name, data in outcome.files.items():
         if (path := paths[name]) is not None:
             replaced(path, lambda part, data=data: part.write_bytes(data))  # type: ignore[misc]
 
 
 def told(outcome: Outcome, paths: Mapping[str, Path | None], *, as_json: bool, said: str) -> int:
-    """Say a motion's numbers or lines and what was written, for one of an earlier run once more; the exit code."""
+    """Write a motion's files, say its numbers or lines and what was written; the exit code."""
     from symscrew.display import print_text
 
     if outcome.earlier:
         for notice in outcome.facts["notices"]:
             print(f"note: {notice}", file=sys.stderr)
-        write_again(outcome, paths, said)
+        print(said, file=sys.stderr)
+    write_files(outcome, paths)
     if as_json:
         print(json.dumps(outcome.facts["numbers"], indent=1))
     else:

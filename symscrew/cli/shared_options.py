@@ -142,7 +142,9 @@ def check_folder(directory: str | Path, option: str = "--out") -> None:
     path = Path(directory)
     if "\0" in str(directory):
         raise UsageError(f"{option}: a path must not contain a null character")
-    there = next((p for p in (path, *path.absolute().parents) if p.exists()), Path("/"))
+    there = next((p for p in (path, *path.absolute().parents) if os.path.lexists(p)), Path("/"))
+    if there.is_symlink() and not there.exists():
+        raise UsageError(f"{option}: a link that leads nowhere: {shorten(str(there), 200)}; remove it")
     if not there.is_dir():
         raise UsageError(f"{option}: expected a folder, found a file: {shorten(str(there), 200)}")
     if not os.access(there, os.W_OK | os.X_OK):
@@ -180,6 +182,12 @@ def no_matplotlib() -> str:
     except ImportError as error:
         return f"cannot be imported ({shorten(str(error))}): pip install --force-reinstall matplotlib"
     return ""
+
+
+def check_expected(options: argparse.Namespace) -> None:
+    """Raises UsageError where `--expect` says a number that nothing is."""
+    if options.expect is not None and options.expect < 0:
+        raise UsageError(f"--expect: expected a number from 0 on, got {options.expect}")
 
 
 def settings(option: str, texts: Sequence[str]) -> dict[str, str]:

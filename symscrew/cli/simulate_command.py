@@ -5,12 +5,13 @@ from __future__ import annotations
 import argparse
 import json
 import sys
+from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, FAILED, UsageError
 from symscrew.cli.shared_options import add_no_cache, check_folder, keep_inputs, need_matplotlib
-from symscrew.whole_files import destination
+from symscrew.whole_files import destination, stage
 
 if TYPE_CHECKING:
     from symscrew.cli.same_files import Outcome
@@ -96,7 +97,7 @@ def _emit(scene: Scene, options: argparse.Namespace) -> None:
 
 
 def _made(scene: Scene, out: Path | None, picture: Path | None) -> Outcome:
-    """The motion integrated and written; its numbers, words and files."""
+    """The motion integrated; its numbers, words and files."""
     from symscrew.cli.same_files import Outcome
     from symscrew.display import bar_on_terminal
     from symscrew.simulation import ON_NUMPY, prepare, run_summary, simulate, write_run
@@ -105,12 +106,13 @@ def _made(scene: Scene, out: Path | None, picture: Path | None) -> Outcome:
     with bar_on_terminal(total=1.0, desc=scene.name) as bar:
         found = simulate(scene, prepared=prepared, progress=lambda part: bar.update(max(0.0, part - bar.n)))
     files = {}
-    if out is not None:
-        files["run"] = write_run(found, out).read_bytes()
-    if picture is not None:
-        from symscrew.simulation import plot_run  # brings Matplotlib, a third of a short run's time
+    with ExitStack() as held:  # all files are made before the first of them is there
+        if out is not None:
+            files["run"] = write_run(found, held.enter_context(stage(out)) / out.name).read_bytes()
+        if picture is not None:
+            from symscrew.simulation import plot_run  # brings Matplotlib, a third of a short run's time
 
-        files["picture"] = plot_run(found, picture).read_bytes()
+            files["picture"] = plot_run(found, held.enter_context(stage(picture)) / picture.name).read_bytes()
     facts = {"numbers": _numbers(found), "lines": run_summary(found), "notices": list(scene.initial.notices)}
     # where a compiler failed, it may do its work the next time
     compiled = not any(event.startswith(ON_NUMPY) for event in found.events)

@@ -58,10 +58,10 @@ PROVED_PART = 1e-8  # of a tilt by which claims are rounded down: the tilt asked
 def add_options(command: argparse.ArgumentParser) -> None:
     """Options of `symscrew workspace`."""
     add_mechanism(command)
-    command.add_argument("--over", nargs="+", action="extend", metavar="COORD=FROM:TO:N", help=OVER)
+    command.add_argument("--over", nargs="+", metavar="COORD=FROM:TO:N", help=OVER)
     command.add_argument("--out", metavar="DIR|FILE", required=True, help="a new folder, or a file: .npz or .csv")
-    command.add_argument("--limit", nargs="+", action="extend", metavar="RESULT=MIN:MAX", help=LIMIT)
-    command.add_argument("--tolerance", nargs="+", action="extend", metavar="PARAM=SIGMA", help=TOLERANCE)
+    command.add_argument("--limit", nargs="+", metavar="RESULT=MIN:MAX", help=LIMIT)
+    command.add_argument("--tolerance", nargs="+", metavar="PARAM=SIGMA", help=TOLERANCE)
     command.add_argument("--certify", action="store_true", help=CERTIFY)
     text = "per place, with --tolerance; default 100"
     command.add_argument("--samples", type=int, default=100, metavar="N", help=text)

@@ -28,8 +28,8 @@ def inside(folder: Path, name: str, where: str, within: Path | None = None) -> P
     """
     if "\0" in name:
         raise DescriptionError(f"{where}: a path must not contain a null character")
-    path = (folder / name).resolve()
-    if not path.is_relative_to((within or folder).resolve()):
+    path = Path(os.path.realpath(folder / name))
+    if not path.is_relative_to(os.path.realpath(within or folder)):
         raise DescriptionError(
             f"{where}: {shorten(name)} is outside of the model's folder; only files below it are read, or below the "
             "one that --folder DIR names"

@@ -16,12 +16,19 @@ PACKAGE = Path(__file__).parents[1]
 
 @cache
 def version() -> str:
-    """The package's version, its files with sizes and times, and the versions of Python and NumPy."""
+    """The package's version, its files with sizes and times, and the versions of Python and NumPy.
+
+    What editors and tools leave among the files for a moment (`.name.swp`, `.nfs0123`) is none of them. Looked at once
+    in a process: whatever changes later counts in those that start then.
+    """
     facts = [__version__, sys.version, installed("numpy")]
     for folder, _, files in sorted(os.walk(PACKAGE)):
-        if not folder.endswith("__pycache__"):
-            found = ((file, os.stat(os.path.join(folder, file))) for file in sorted(files))
-            facts += [f"{folder}/{file} {facts.st_size} {facts.st_mtime_ns}" for file, facts in found]
+        if folder.endswith("__pycache__"):
+            continue
+        for file in sorted(name for name in files if not name.startswith(".")):
+            with suppress(FileNotFoundError):  # gone by now
+                found = os.stat(os.path.join(folder, file))
+                facts.append(f"{folder}/{file} {found.st_size} {found.st_mtime_ns}")
     return "\n".join(facts)
 
 

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from symscrew.whole_files.one_file import created, destination, replaced, write_text
     from symscrew.whole_files.staging import discard, is_staging, remove_abandoned, stage
     from symscrew.whole_files.turns import LockedError, one_at_a_time
-    from symscrew.whole_files.whole_folder import PENDING, finish, put_files
+    from symscrew.whole_files.whole_folder import PENDING, finish, made_together, put_files
 
 __all__ = [
     "PENDING",
@@ -26,6 +26,7 @@ __all__ = [
     "discard",
     "finish",
     "is_staging",
+    "made_together",
     "one_at_a_time",
     "only_file",
     "put_files",

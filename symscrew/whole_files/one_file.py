@@ -39,14 +39,14 @@ def replaced(path: Path, make: Callable[[Path], object]) -> Path:
     """
     if path.is_dir():
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(path))
-    with _of(path), stage(path) as place:
+    with of_file(path), stage(path) as place:
         make(place / path.name)
         os.replace(place / path.name, path)
     return path
 
 
 @contextlib.contextmanager
-def _of(path: Path) -> Iterator[None]:
+def of_file(path: Path) -> Iterator[None]:
     """Errors name the file that was asked for, and no place beside it that nobody knows."""
     try:
         yield
@@ -63,7 +63,7 @@ def created(path: Path, text: str) -> Path:
         FileExistsError: it is there.
         OSError: a place that cannot be written.
     """
-    with _of(path), stage(path) as place:
+    with of_file(path), stage(path) as place:
         part = place / path.name
         part.write_text(text, encoding="utf-8")
         try:

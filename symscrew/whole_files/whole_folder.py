@@ -21,6 +21,7 @@ import sys
 from collections.abc import Callable, Collection, Mapping
 from pathlib import Path
 
+from symscrew.whole_files.one_file import of_file
 from symscrew.whole_files.staging import remove_abandoned, stage
 from symscrew.whole_files.turns import one_at_a_time
 
@@ -67,6 +68,30 @@ def put_files(
         with stage(inside) as within:
             os.rename(_written(within / PENDING, files), inside)
         finish(place, last=last, owned=owned)
+
+
+def made_together(directory: Path, make: Callable[[Path], object]) -> list[Path]:
+    """Put what `make` makes in the folder that it is given into `directory`, when all of it is made; in order of names.
+
+    A new folder is there in one step. Into one that is there the files are moved one after the other, at the end.
+
+    Raises:
+        OSError: a place that cannot be written.
+    """
+    place = Path(os.path.realpath(directory))
+    place.parent.mkdir(parents=True, exist_ok=True)
+    remove_abandoned(place)
+    with of_file(directory), stage(place / "files" if place.is_dir() else place) as staged:
+        made = staged / "made"
+        made.mkdir()
+        make(made)
+        names = sorted(os.listdir(made))
+        if not place.is_dir():
+            os.rename(made, place)
+        else:
+            for name in names:
+                os.replace(made / name, place / name)
+    return [directory / name for name in names]
 
 
 def finish(directory: Path, *, last: str, owned: Owned) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -12,6 +13,7 @@ from symscrew import simulation
 from symscrew.cli import same_files
 from symscrew.cli.parser import main
 from symscrew.cli.same_files import Outcome, once_of_files
+from symscrew.runtime import versions
 
 ARM = """
 [mechanism]
@@ -38,6 +40,7 @@ type = "gravity"
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setenv("SYMSCREW_CACHE", str(tmp_path / "cache"))
     monkeypatch.delenv("SYMSCREW_NO_CACHE", raising=False)
+    versions.version.cache_clear()  # of the package as it is now: somebody may have written into it since tests began
     (tmp_path / "arm.toml").write_text(ARM)
     (tmp_path / "swing.toml").write_text(SCENE)
     return tmp_path
@@ -90,7 +93,30 @@ def test_nothing_heavy_is_imported_for_it(folder: Path) -> None:
         "heavy = sorted({'numpy', 'sympy', 'casadi'} & set(sys.modules)); print(code, heavy)"
     )
     said = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True, check=True)
-    assert said.stdout.splitlines()[-1] == "0 []" and "earlier run" in said.stderr
+    assert said.stdout.splitlines()[-1] == "0 []" and "earlier run" in said.stderr, said
+
+
+def test_what_stands_among_the_files_of_the_package_for_a_moment(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Nothing of it counts; a file of the package that changes does."""
+    monkeypatch.setattr(versions, "PACKAGE", tmp_path)
+    (tmp_path / "a.py").write_text("1")
+    found = versions.version.__wrapped__
+    before = found()
+    (tmp_path / ".a.py.swp").write_text("")
+    assert found() == before
+    stat = os.stat
+
+    def vanishing(path, **more):
+        (tmp_path / "b.py").unlink(missing_ok=True)
+        return stat(path, **more)
+
+    (tmp_path / "b.py").write_text("")
+    monkeypatch.setattr(versions.os, "stat", vanishing)
+    assert found() == before
+    (tmp_path / "a.py").write_text("22")
+    assert found() != before
 
 
 def test_what_it_depends_on(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -360,6 +360,7 @@ def test_command(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch
         (["--tolerance", "R=-1"], "above 0"),
         ([], "nothing to sweep"),
         (["--over", "tilt=0:1:3", "azimuth=0:1:3", "--processes", "0"], "--processes: expected a number above 0"),
+        (["--over", "tilt=0:1:3", "azimuth=0:1:3", "--stiffness=-1"], "--stiffness: expected a number above 0"),
         (["--over", "tilt=0:1:3", "azimuth=0:1:3", "--seed", "-1"], "--seed: expected a number from 0"),
         (["--over", "tilt=0:1:100000", "azimuth=0:1:100000"], "at most 50 million"),
     ],

@@ -135,3 +135,48 @@ def test_a_matplotlib_that_cannot_be_imported_is_said_before_the_work(
     imported = "from symscrew.cli.view_command import run; from symscrew.display import Progress, open_made, write_made"
     page = subprocess.run([sys.executable, "-c", imported], env=environment, capture_output=True, text=True)
     assert page.returncode == 0, page.stderr
+
+
+OF_SEVERAL = [
+    (name, action.option_strings[-1], action.choices)
+    for name, command in table.parser()._subparsers._group_actions[0].choices.items()  # type: ignore[union-attr]
+    for action in (command.read_command() or command)._actions
+    if action.nargs == "+" and action.option_strings
+]
+
+
+@pytest.mark.parametrize(("name", "option", "choices"), OF_SEVERAL)
+def test_what_is_given_twice_is_not_lost(name: str, option: str, choices: tuple[str, ...] | None) -> None:
+    """Values of both times, and none of the default's."""
+    first, second = list(choices)[:2] if choices else ("a=1", "b=2")
+    made = table.parser()._subparsers._group_actions[0].choices[name]  # type: ignore[union-attr,index]
+    made.read_command()
+    for action in made._actions:
+        action.required = False
+    found, _ = made.parse_known_args([option, first, option, second])
+    assert getattr(found, option.strip("-").replace("-", "_")) == [first, second]
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        ("draw four_bar --out=--", "argument --out: expected a value, got '--'"),
+        ("new a --limbs=--", "argument --limbs: expected a value, got '--'"),
+        ("drives four_bar --motion A=t --motion A=2*t --duration 1", "--motion: A is given twice"),
+        ("optimise own.toml --out a.npz --rate=inf", "--rate: expected samples per second above 0, got inf"),
+        ("mobility four_bar --expect -1", "--expect: expected a number from 0 on, got -1"),
+        ("assemble four_bar --expect -1", "--expect: expected a number from 0 on, got -1"),
+        ("mobility four_bar --proof own.toml", "--proof: expected a file name that ends in .json, got 'own.toml'"),
+        ("generate four_bar --out nowhere/in", "--out: a link that leads nowhere: "),
+    ],
+)
+def test_options_that_cannot_be(
+    line: str, said: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "own.toml").write_text("mine")
+    (tmp_path / "nowhere").symlink_to("none")
+    assert main(line.split()) == 2
+    told = capsys.readouterr()
+    assert said in told.err and told.err.count("\n") == 1 and not told.out
+    assert (tmp_path / "own.toml").read_text() == "mine"

@@ -18,7 +18,7 @@ from symscrew.export import OutputError, read_manifest
 from symscrew.generation import folder as generation
 from symscrew.generation.folder import generate, render
 from symscrew.model import Model
-from symscrew.whole_files import whole_folder
+from symscrew.whole_files import made_together, whole_folder
 from symscrew.whole_files.one_file import created, destination, replaced, write_text
 from symscrew.whole_files.staging import discard, is_staging, stage
 from symscrew.whole_files.turns import LockedError, one_at_a_time
@@ -275,3 +275,57 @@ def test_where_nothing_can_be_written_is_said_before_the_work(tmp_path: Path, mo
     monkeypatch.setattr("os.access", lambda path, mode: Path(path) != tmp_path)  # root may write everywhere
     with pytest.raises(DescriptionError, match="--out: no permission to write into"):
         destination(str(tmp_path / "run.npz"), (".npz",), "--out")
+
+
+@pytest.mark.parametrize("there", [False, True])
+def test_files_made_together_are_there_together(tmp_path: Path, there: bool) -> None:
+    """Not one of them before the last is made; what else is in the folder stays."""
+    folder = tmp_path / "deep" / "study"
+    if there:
+        folder.mkdir(parents=True)
+        (folder / "notes").write_text("mine")
+        (folder / "b").write_text("old")
+    before = {path.name: path.read_text() for path in folder.iterdir()} if there else {}
+
+    def failing(place: Path) -> None:
+        (place / "a").write_text("new")
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        made_together(folder, failing)
+    assert ({path.name: path.read_text() for path in folder.iterdir()} if there else {}) == before
+    assert folder.exists() == there
+
+    def making(place: Path) -> None:
+        for name in "ba":
+            (place / name).write_text(f"new {name}")
+
+    assert made_together(folder, making) == [folder / "a", folder / "b"]
+    found = {path.name: path.read_text() for path in folder.iterdir()}
+    assert found == {**before, "a": "new a", "b": "new b"} and [p.name for p in folder.parent.iterdir()] == ["study"]
+
+
+def test_a_folder_made_at_once_is_killed_at_every_step(tmp_path: Path) -> None:
+    """A new one holds all files or is not there; what is left beside is removed by the next that makes it."""
+
+    def making(place: Path) -> None:
+        for name in "ab":
+            (place / name).write_text(name)
+
+    for step in range(100):
+        folder = tmp_path / f"study{step}"
+        was_killed = killed_at(partial(made_together, folder, making), step)
+        assert not folder.exists() or sorted(content(folder)) == ["a", "b"]
+        if not was_killed:
+            break
+        made_together(folder, making)
+        assert sorted(content(folder)) == ["a", "b"]
+        assert not [p for p in tmp_path.iterdir() if p.name.startswith(f".study{step}.")]
+    assert 5 < step < 100
+
+
+def test_a_place_that_cannot_be_is_named(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    with pytest.raises(OSError) as caught:
+        made_together(tmp_path / "file", lambda place: (place / "a").write_text(""))
+    assert caught.value.filename == str(tmp_path / "file")

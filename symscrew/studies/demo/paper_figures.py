@@ -13,7 +13,7 @@ import numpy as np
 from symscrew.description import Joint, Mechanism
 from symscrew.display import Progress, aligned_table, fitting_table
 from symscrew.studies.demo.paper_study import LIMIT, TIMED_STATES, Case, Demo
-from symscrew.whole_files import write_text
+from symscrew.whole_files import made_together
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -145,20 +145,20 @@ def _case_values(case: Case) -> dict[str, Any]:
 
 
 def write_figures(demo: Demo, directory: Path, progress: Progress) -> list[Path]:
-    """All figures and the summary into `directory`, which exists; returns the paths."""
+    """All figures and the summary into `directory`, all of them or none; returns the paths."""
     from symscrew.display import save_figure
 
-    written = []
-    for name, (draw, tight) in _pictures(demo).items():
-        with progress.step(f"draw {name}"):
-            written.append(save_figure(draw(), directory / name, tight=tight))
     text = f"# symscrew demo\n\n```\n{demo_facts(demo)}\n```\n\n{demo_summary(demo, markdown=True)}\n"
-    for name, content in (
-        ("summary.md", text),
-        ("summary.json", json.dumps(demo_values(demo), indent=1) + "\n"),
-    ):
-        written.append(write_text(directory / name, content))
-    return written
+    numbers = json.dumps(demo_values(demo), indent=1) + "\n"
+
+    def make(place: Path) -> None:
+        for name, (draw, tight) in _pictures(demo).items():
+            with progress.step(f"draw {name}"):
+                save_figure(draw(), place / name, tight=tight)
+        for name, content in (("summary.md", text), ("summary.json", numbers)):
+            (place / name).write_text(content, encoding="utf-8")
+
+    return made_together(directory, make)
 
 
 def _pictures(demo: Demo) -> dict[str, tuple[Callable[[], Figure], bool]]:

@@ -15,7 +15,7 @@ import numpy as np
 from symscrew.description import to_toml
 from symscrew.display import fitting_table
 from symscrew.studies.given_motion.study import DriveStudy
-from symscrew.whole_files import replaced, write_text
+from symscrew.whole_files import made_together
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -143,18 +143,20 @@ FILES = ("motion.npz", "motion.csv", "summary.json")
 
 
 def write_study(study: DriveStudy, folder: Path, *, drawn: bool = True) -> list[Path]:
-    """Everything into a folder that exists: motion.npz, motion.csv, summary.json and, if `drawn`, pictures."""
-    kept = arrays(study)
-    written = [
-        replaced(folder / FILES[0], lambda file: np.savez_compressed(file, **kept)),  # type: ignore[arg-type]
-        study.columns.save(folder / FILES[1]),
-        write_text(folder / FILES[2], json.dumps(study_json(study), indent=1) + "\n"),
-    ]
-    if drawn:
-        from symscrew.display import save_figure
+    """All or nothing into a folder: motion.npz, motion.csv, summary.json and, if `drawn`, pictures."""
 
-        written += [save_figure(draw(), folder / name) for name, draw in pictures(study).items()]
-    return written
+    def make(place: Path) -> None:
+        kept = arrays(study)
+        np.savez_compressed(place / FILES[0], **kept)  # type: ignore[arg-type]
+        study.columns.save(place / FILES[1])
+        (place / FILES[2]).write_text(json.dumps(study_json(study), indent=1) + "\n", encoding="utf-8")
+        if drawn:
+            from symscrew.display import save_figure
+
+            for name, draw in pictures(study).items():
+                save_figure(draw(), place / name)
+
+    return made_together(folder, make)
 
 
 def pictures(study: DriveStudy) -> Mapping[str, Callable[[], Figure]]:

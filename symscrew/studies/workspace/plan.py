@@ -127,6 +127,8 @@ def check_numbers(plan: Plan, processes: int | None = None, *, certify: bool = F
     for option, value, least, most in (("samples", plan.samples, 1, MOST_SAMPLES), ("seed", plan.seed, 0, MOST_SEED)):
         if not least <= value <= most:
             raise DescriptionError(f"--{option}: expected a number from {least} to {most}, got {shorten(value)}")
+    if not 0 < plan.stiffness < math.inf:
+        raise DescriptionError(f"--stiffness: expected a number above 0 [N/m], got {plan.stiffness:g}")
     if processes is not None and processes < 1:
         raise DescriptionError(f"--processes: expected a number above 0, got {shorten(processes)}")
     if not plan.axes and not plan.tolerances:
