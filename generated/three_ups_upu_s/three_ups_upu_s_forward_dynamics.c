@@ -1449,12 +1449,13 @@ int three_ups_upu_s_forward_dynamics_independent(const double *restrict q, const
 
 
 typedef struct {
-    EACH4 U_0_joint_sent_fx, signed_U_0_joint_sent_fy, upper_rate_mx, t1, t2, minus_lower_rotation_yx,
-      lower_rotation_yy, t3, U2_constraint_mn_couple_x, signed_lower_rotation_zx, signed_upper_position_z,
-      minus_U2_joint_reaction_mx, minus_upper_rate_my_2, minus_lower_sent_my, lower_joint_sent_my,
-      lower_joint_sent_mx, signed_lower_rotation_zy, minus_upper_position_y, t4, upper_position_x, t5, t6,
-      minus_upper_rate_mz_2, t7, t8, t9, U2_constraint_mn_couple_z, minus_U2_joint_reaction_mz, t10, t11,
-      signed_upper_sent_mz, t12, t13, t14, signed_S_reactions_mz, checked;
+    EACH4 upper_sent_fy, U_0_joint_sent_fx, signed_U_0_joint_sent_fy, upper_rate_mx, t1, t2,
+      minus_lower_rotation_yx, t3, U2_constraint_mn_couple_x, signed_lower_rotation_zx,
+      signed_upper_position_z, minus_U2_joint_reaction_mx, minus_upper_rate_my_2, minus_lower_sent_my,
+      lower_joint_sent_my, lower_joint_sent_mx, minus_upper_position_y, t4, upper_position_x, t5, t6, t7,
+      minus_upper_rate_mz_2, t8, t9, t10, U2_constraint_mn_couple_z, t11, minus_U2_joint_reaction_mz,
+      minus_upper_sent_mz, t12, t13, t14, t15, S_reactions_fz, t16, S_reactions_my, signed_S_reactions_mz,
+      t17, t18, t19, checked;
 } LIMBS(forward_dynamics_reactions_wrenches);
 
 STAGE(forward_dynamics_reactions_wrenches, 0)(size_t limb, size_t stride, const double *restrict q,
@@ -1467,36 +1468,37 @@ STAGE(forward_dynamics_reactions_wrenches, 0)(size_t limb, size_t stride, const 
     const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, 1.0, -1.0),
       each_gravity_z = sign2 * gravity_z, each_limb_lower_m_gravity_z = -sign2 * limb_lower_m_gravity_z,
       each_gravity_z_limb_lower_mx = -sign2 * gravity_z_limb_lower_mx, each_param_R = -sign1 * param_R,
-      sign3 = OF4(1.0, -1.0, -1.0, -1.0);
+      sign3 = OF4(1.0, -1.0, -1.0, -1.0), each_limb_upper_phase = -sign1 * limb_upper_phase;
     const LIMB4 U_0_cos = IN_EACH4(SINES, cosine, 0, 2);
     /* each limb: reciprocal wrenches, eq. (10); velocities, eq. (6) */
     OWN(t1) = U_0_cos * platform_turn_yy;
     const LIMB4 signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2);
     OWN(t2) = signed_U_0_sin * platform_turn_zy;
-    const LIMB4 t45 = sign1 * IN_EACH4(SINES, sine, 1, 2), U_v_0 = IN_EACH4(READ, v, 0, 3),
-      lower_omega_x = U_v_0 * t45, lower_cos = IN_EACH4(SINES, cosine, 1, 2), lower_omega_y = U_v_0 * lower_cos;
+    const LIMB4 signed_lower_sin = IN_EACH4(SINES, sine, 1, 2), t63 = sign1 * signed_lower_sin,
+      U_v_0 = IN_EACH4(READ, v, 0, 3), lower_omega_x = U_v_0 * t63, lower_cos = IN_EACH4(SINES, cosine, 1, 2),
+      lower_omega_y = U_v_0 * lower_cos;
     /* each limb: accelerations; momentum rate, eq. (35); geometry */
     const LIMB4 lower_U_still_xy = lower_omega_x * lower_omega_y, U_v_1 = IN_EACH4(READ, v, 1, 3),
       minus_lower_alpha_still_y = U_v_1 * lower_omega_x, U_a_1 = IN_EACH4(READ, a, 1, 3),
       lower_U_yx = U_a_1 + lower_U_still_xy, t37 = k19 * lower_U_still_xy,
       upper_offset_x = IN_EACH4(READ, q, 2, 3) + limb_upper_phase, t3 = upper_offset_x * lower_U_yx,
       lower_rate_fy = limb_lower_mx * lower_U_yx, U_0_acc_y = each_gravity_z * U_0_cos,
-      minus_lower_acc_y = t45 * U_0_acc_y, t4 = t3 - minus_lower_acc_y,
+      minus_lower_acc_y = t63 * U_0_acc_y, t4 = t3 - minus_lower_acc_y,
       minus_lower_rate_fy_2 = limb_lower_m * minus_lower_acc_y - lower_rate_fy, lower_acc_x = lower_cos * U_0_acc_y,
       P_v = IN_EACH4(READ, v, 2, 3), upper_acc_y = P_v * (2.0 * U_v_1) + t4,
       multipliers_1 = OF4(READ(multipliers_, 1), READ(multipliers_, 5), READ(multipliers_, 8), READ(multipliers_, 11));
     /* each limb: balance, eqs. (40)-(47); momentum rate, eq. (35); accelerations */
-    const LIMB4 upper_sent_fy = limb_lower_m * upper_acc_y - lower_rate_fy - multipliers_1;
-    WRITE4(sized_, 7, 25, 43, 61, upper_sent_fy);
-    const LIMB4 minus_lower_sent_fy = minus_lower_rate_fy_2 - upper_sent_fy,
+    OWN(upper_sent_fy) = limb_lower_m * upper_acc_y - lower_rate_fy - multipliers_1;
+    WRITE4(sized_, 7, 25, 43, 61, OWN(upper_sent_fy));
+    const LIMB4 minus_lower_sent_fy = minus_lower_rate_fy_2 - OWN(upper_sent_fy),
       minus_upper_rate_mz = limb_lower_mx * upper_acc_y, t5 = lower_cos * minus_lower_sent_fy,
-      t15 = t45 * minus_lower_sent_fy, minus_lower_U_still_xx = lower_omega_y * lower_omega_y + U_v_1 * U_v_1,
+      t15 = t63 * minus_lower_sent_fy, minus_lower_U_still_xx = lower_omega_y * lower_omega_y + U_v_1 * U_v_1,
       lower_force_x = limb_lower_m * (IN_EACH4(READ, a, 2, 3) - (upper_offset_x * minus_lower_U_still_xx - lower_acc_x)),
       minus_lower_rate_fx = limb_lower_mx * minus_lower_U_still_xx,
       multipliers_0 = OF4(READ(multipliers_, 0), READ(multipliers_, 4), READ(multipliers_, 7), READ(multipliers_, 10)),
       upper_sent_fx = minus_lower_rate_fx + lower_force_x - multipliers_0,
       lower_sent_fx = limb_lower_m * lower_acc_x - minus_lower_rate_fx + upper_sent_fx,
-      lower_joint_sent_fy = t45 * lower_sent_fx - t5;
+      lower_joint_sent_fy = t63 * lower_sent_fx - t5;
     WRITE4(reactions, 0, 19, 36, 55, lower_joint_sent_fy);
     WRITE4(sized_, 1, 19, 37, 55, lower_joint_sent_fy);
     LIMB4 checked = lower_joint_sent_fy;
@@ -1518,36 +1520,44 @@ STAGE(forward_dynamics_reactions_wrenches, 0)(size_t limb, size_t stride, const 
     WRITE4(reactions, 1, 18, 37, 54, OWN(U_0_joint_sent_fx));
     OWN(signed_U_0_joint_sent_fy) = signed_U_0_sin * lower_sent_fz + t18;
     WRITE4(reactions, 2, 20, 38, 56, sign2 * OWN(signed_U_0_joint_sent_fy));
-    OWN(upper_rate_mx) = k14 * (lower_alpha_still_x + U_a_0 * t45) - k15 * lower_alpha_still_x;
-    OWN(lower_rotation_yy) = signed_U_0_sin * t45;
-    const LIMB4 t22 = OWN(lower_rotation_yy) * multipliers_1, t28 = OWN(lower_rotation_yy) * upper_sent_fy;
+    OWN(upper_rate_mx) = k14 * (lower_alpha_still_x + U_a_0 * t63) - k15 * lower_alpha_still_x;
+    const LIMB4 lower_rotation_yy = signed_U_0_sin * t63;
+    OWN(t6) = lower_rotation_yy * OWN(minus_upper_rate_my_2);
+    const LIMB4 t22 = lower_rotation_yy * multipliers_1;
     OWN(minus_lower_rotation_yx) = signed_U_0_sin * lower_cos;
     OWN(t3) = OWN(minus_lower_rotation_yx) * multipliers_0 - t22;
-    OWN(minus_upper_position_y) = upper_offset_x * OWN(minus_lower_rotation_yx);
     const LIMB4 t27 = OWN(minus_upper_rate_my_2) + upper_offset_x * upper_sent_fz;
     OWN(minus_lower_sent_my) = t27 - (each_gravity_z_limb_lower_mx * signed_U_0_sin - t25);
-    /* each limb: reactions, eq. (32); geometry; momentum rate, eq. (35) */
-    const LIMB4 P_reactions_fy = t28 + U_0_cos * upper_sent_fz;
+    const LIMB4 P_reactions_fy = lower_rotation_yy * OWN(upper_sent_fy) + U_0_cos * upper_sent_fz;
     WRITE4(reactions, 7, 24, 43, 60, P_reactions_fy);
-    const LIMB4 t31 = signed_U_0_sin * upper_sent_fz;
     OWN(signed_lower_rotation_zx) = U_0_cos * lower_cos;
     OWN(signed_upper_position_z) = upper_offset_x * OWN(signed_lower_rotation_zx);
-    OWN(upper_position_x) = t45 * upper_offset_x + each_param_R;
-    const LIMB4 t41 = OWN(signed_lower_rotation_zx) * multipliers_0,
-      t33 = OWN(signed_upper_position_z) * P_reactions_fy, t43 = OWN(upper_position_x) * P_reactions_fy;
-    OWN(signed_lower_rotation_zy) = U_0_cos * t45;
-    const LIMB4 signed_P_reactions_fz = OWN(signed_lower_rotation_zy) * upper_sent_fy - t31;
+    /* each limb: reactions, eq. (32); geometry; momentum rate, eq. (35) */
+    const LIMB4 t33 = OWN(signed_upper_position_z) * P_reactions_fy, t31 = signed_U_0_sin * upper_sent_fz,
+      signed_lower_rotation_zy = U_0_cos * t63;
+    OWN(t12) = signed_lower_rotation_zy * OWN(minus_upper_rate_my_2);
+    const LIMB4 signed_P_reactions_fz = signed_lower_rotation_zy * OWN(upper_sent_fy) - t31;
     WRITE4(reactions, 8, 26, 44, 62, -sign2 * signed_P_reactions_fz);
-    const LIMB4 t35 = OWN(upper_position_x) * signed_P_reactions_fz;
+    OWN(minus_upper_position_y) = upper_offset_x * OWN(minus_lower_rotation_yx);
+    OWN(upper_position_x) = t63 * upper_offset_x + each_param_R;
+    const LIMB4 t48 = OWN(upper_position_x) * P_reactions_fy, t35 = OWN(upper_position_x) * signed_P_reactions_fz;
     OWN(t4) = t33 - OWN(minus_upper_position_y) * signed_P_reactions_fz;
-    const LIMB4 P_reactions_fx = lower_cos * upper_sent_fy;
+    const LIMB4 P_reactions_fx = lower_cos * OWN(upper_sent_fy);
     WRITE4(reactions, 6, 25, 42, 61, P_reactions_fx);
     OWN(t5) = OWN(signed_upper_position_z) * P_reactions_fx + t35;
-    OWN(t13) = t43 + OWN(minus_upper_position_y) * P_reactions_fx;
-    OWN(t10) = t41 - OWN(signed_lower_rotation_zy) * multipliers_1;
+    OWN(t14) = t48 + OWN(minus_upper_position_y) * P_reactions_fx;
     OWN(minus_upper_rate_mz_2) = minus_upper_rate_mz - (k18 * U_a_1 + t37);
-    const LIMB4 t46 = sign3 * OF4(READ(multipliers_, 0), READ(multipliers_, 5), READ(multipliers_, 8), READ(multipliers_, 11));
-    OWN(t7) = t45 * t46 + lower_cos * IN_EACH4(READ, multipliers_, 1, 3);
+    const LIMB4 t64 = sign3 * OF4(READ(multipliers_, 0), READ(multipliers_, 5), READ(multipliers_, 8), READ(multipliers_, 11));
+    OWN(t8) = t63 * t64 + lower_cos * IN_EACH4(READ, multipliers_, 1, 3);
+    OWN(t15) = OWN(signed_lower_rotation_zx) * multipliers_0 - signed_lower_rotation_zy * multipliers_1;
+    /* each limb: results */
+    const LIMB4 t43 = limb_upper_phase * OWN(minus_lower_rotation_yx), t53 = lower_rotation_yy * t43,
+      t44 = OWN(minus_lower_rotation_yx) * t43, t58 = U_0_cos * t43, t41 = each_limb_upper_phase * signed_lower_sin,
+      t45 = t63 * t41 - t44, t54 = lower_cos * t41 + t53, t46 = limb_upper_phase * OWN(signed_lower_rotation_zx),
+      t57 = upper_sent_fz * (t54 + signed_lower_rotation_zy * t46);
+    OWN(t11) = OWN(signed_lower_rotation_zx) * t46 - t45;
+    OWN(t19) = OWN(minus_upper_rate_my_2) + upper_sent_fz * OWN(t11);
+    OWN(t17) = t57 - OWN(upper_sent_fy) * (t58 - signed_U_0_sin * t46);
     OWN(checked) = checked;
 }
 
@@ -1559,66 +1569,74 @@ STAGE(forward_dynamics_reactions_wrenches, 1)(size_t limb, size_t stride, double
     (void)limb, (void)stride;
     const NUMBER4 sign1 = OF4(1.0, -1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, 1.0, -1.0);
     /* each limb: reciprocal wrenches, eq. (10); reactions, eq. (32) */
-    OWN(t8) = IN_EACH4(SINES, sine, 0, 2) * platform_turn_yy;
-    OWN(t9) = IN_EACH4(SINES, cosine, 0, 2) * platform_turn_zy;
+    OWN(t9) = IN_EACH4(SINES, sine, 0, 2) * platform_turn_yy;
+    OWN(t10) = IN_EACH4(SINES, cosine, 0, 2) * platform_turn_zy;
     OWN(U2_constraint_mn_couple_x) = OWN(t1) + sign1 * given;
     OWN(minus_U2_joint_reaction_mx) = OWN(U2_constraint_mn_couple_x) * signed_upper_position_z;
-    const LIMB4 S_reactions_fz = given_2 + OWN(t10);
-    WRITE4(reactions, 14, 32, 50, 68, -sign2 * S_reactions_fz);
-    OWN(t11) = OWN(upper_position_x) * S_reactions_fz;
-    OWN(t14) = OWN(minus_upper_position_y) * S_reactions_fz;
+    OWN(S_reactions_fz) = given_2 + OWN(t15);
+    WRITE4(reactions, 14, 32, 50, 68, -sign2 * OWN(S_reactions_fz));
+    OWN(t16) = OWN(minus_upper_position_y) * OWN(S_reactions_fz);
 }
 
 STAGE(forward_dynamics_reactions_wrenches, 2)(size_t limb, size_t stride, double *restrict reactions,
     const double *restrict sine, const double *restrict cosine, REAL lower_sent_mx, REAL upper_rate_mx,
-    REAL multipliers_5, REAL platform_turn_xy, REAL signed_upper_position_z, REAL minus_upper_rate_mz_2,
-    LIMBS(forward_dynamics_reactions_wrenches) *own)
+    REAL multipliers_5, REAL platform_turn_xy, LIMBS(forward_dynamics_reactions_wrenches) *own)
 {
     (void)limb, (void)stride;
     const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), each_param_R = sign1 * param_R,
-      sign2 = OF4(1.0, -1.0, -1.0, -1.0), sign3 = OF4(1.0, -1.0, 1.0, 1.0), sign4 = OF4(1.0, -1.0, 1.0, -1.0);
-    const LIMB4 t18 = sign1 * IN_EACH4(SINES, sine, 1, 2), lower_cos = IN_EACH4(SINES, cosine, 1, 2);
-    /* each limb: balance, eqs. (40)-(47) */
-    OWN(lower_joint_sent_my) = t18 * lower_sent_mx - lower_cos * OWN(minus_lower_sent_my);
-    WRITE4(reactions, 3, 22, 39, 58, OWN(lower_joint_sent_my));
-    OWN(lower_joint_sent_mx) = lower_cos * lower_sent_mx + t18 * OWN(minus_lower_sent_my);
+      sign2 = OF4(1.0, -1.0, -1.0, -1.0), sign3 = OF4(1.0, -1.0, 1.0, -1.0);
+    /* each limb: results */
+    OWN(t18) = upper_rate_mx - OWN(t17);
     /* each limb: reactions, eq. (32); reciprocal wrenches, eq. (10); balance, eqs. (40)-(47) */
-    const LIMB4 t6 = IN_EACH4(SINES, sine, 0, 2) * OWN(lower_joint_sent_mx),
-      t7 = IN_EACH4(SINES, cosine, 0, 2) * OWN(lower_joint_sent_mx),
-      U_reactions_my = each_param_R * OWN(signed_U_0_joint_sent_fy) - t6;
-    WRITE4(reactions, 4, 21, 40, 57, U_reactions_my);
-    LIMB4 checked = OWN(checked) + U_reactions_my;
-    const LIMB4 signed_U_reactions_mz = t7 - each_param_R * OWN(U_0_joint_sent_fx);
-    WRITE4(reactions, 5, 23, 41, 59, sign4 * signed_U_reactions_mz);
-    checked = checked + signed_U_reactions_mz;
-    const LIMB4 t15 = t18 * platform_turn_xy,
-      P_reactions_my = t18 * upper_rate_mx - lower_cos * OWN(minus_upper_rate_my_2) - OWN(t4);
+    OWN(t13) = OWN(t12) + OWN(signed_lower_rotation_zx) * upper_rate_mx;
+    const LIMB4 lower_cos = IN_EACH4(SINES, cosine, 1, 2), t13 = lower_cos * (sign2 * multipliers_5),
+      t16 = sign1 * IN_EACH4(SINES, sine, 1, 2);
+    OWN(U2_constraint_mn_couple_z) = t13 - t16 * platform_turn_xy;
+    OWN(t7) = OWN(t6) + OWN(minus_lower_rotation_yx) * upper_rate_mx;
+    const LIMB4 P_reactions_my = t16 * upper_rate_mx - lower_cos * OWN(minus_upper_rate_my_2) - OWN(t4);
     WRITE4(reactions, 9, 28, 45, 64, P_reactions_my);
-    checked = checked + P_reactions_my;
-    const LIMB4 t12 = OWN(lower_rotation_yy) * OWN(minus_upper_rate_my_2);
-    OWN(t6) = t12 + OWN(minus_lower_rotation_yx) * upper_rate_mx;
-    OWN(U2_constraint_mn_couple_z) = lower_cos * (sign2 * multipliers_5) - t15;
-    OWN(minus_U2_joint_reaction_mz) = OWN(U2_constraint_mn_couple_z) * signed_upper_position_z;
-    OWN(signed_upper_sent_mz) = sign3 * minus_upper_rate_mz_2 + OWN(minus_U2_joint_reaction_mz);
-    const LIMB4 t16 = OWN(signed_lower_rotation_zy) * OWN(minus_upper_rate_my_2);
-    OWN(t12) = t16 + OWN(signed_lower_rotation_zx) * upper_rate_mx;
+    LIMB4 checked = OWN(checked) + P_reactions_my;
+    const LIMB4 t1 = t16 * lower_sent_mx;
+    OWN(lower_joint_sent_mx) = lower_cos * lower_sent_mx + t16 * OWN(minus_lower_sent_my);
+    const LIMB4 t7 = IN_EACH4(SINES, cosine, 0, 2) * OWN(lower_joint_sent_mx),
+      t6 = IN_EACH4(SINES, sine, 0, 2) * OWN(lower_joint_sent_mx),
+      signed_U_reactions_mz = t7 - each_param_R * OWN(U_0_joint_sent_fx);
+    WRITE4(reactions, 5, 23, 41, 59, sign3 * signed_U_reactions_mz);
+    checked = checked + signed_U_reactions_mz;
+    const LIMB4 U_reactions_my = each_param_R * OWN(signed_U_0_joint_sent_fy) - t6;
+    WRITE4(reactions, 4, 21, 40, 57, U_reactions_my);
+    checked = checked + U_reactions_my;
+    OWN(lower_joint_sent_my) = t1 - lower_cos * OWN(minus_lower_sent_my);
+    WRITE4(reactions, 3, 22, 39, 58, OWN(lower_joint_sent_my));
     OWN(checked) = checked;
 }
 
-STAGE(forward_dynamics_reactions_wrenches, 3)(size_t limb, size_t stride, double *restrict reactions,
+STAGE(forward_dynamics_reactions_wrenches, 3)(size_t limb, size_t stride, REAL upper_sent_fy,
+    REAL multipliers_3, REAL S_reactions_fx, REAL given, LIMBS(forward_dynamics_reactions_wrenches) *own)
+{
+    (void)limb, (void)stride;
+    const NUMBER4 sign1 = OF4(1.0, -1.0, -1.0, -1.0), sign2 = OF4(1.0, 1.0, -1.0, -1.0);
+    /* each limb: reactions, eq. (32); balance, eqs. (40)-(47) */
+    OWN(minus_U2_joint_reaction_mz) = upper_sent_fy * multipliers_3;
+    OWN(minus_upper_sent_mz) = OWN(minus_upper_rate_mz_2) + sign1 * OWN(minus_U2_joint_reaction_mz);
+    const LIMB4 t5 = sign2 * (OWN(signed_upper_position_z) * S_reactions_fx);
+    OWN(S_reactions_my) = OWN(upper_position_x) * OWN(S_reactions_fz) - t5;
+    OWN(signed_S_reactions_mz) = OWN(minus_upper_position_y) * S_reactions_fx - given;
+}
+
+STAGE(forward_dynamics_reactions_wrenches, 4)(size_t limb, size_t stride, double *restrict reactions,
     const double *restrict sine, const double *restrict cosine, REAL minus_upper_rate_mz_2,
-    REAL S_reactions_fx, REAL given, LIMBS(forward_dynamics_reactions_wrenches) *own)
+    LIMBS(forward_dynamics_reactions_wrenches) *own)
 {
     (void)limb, (void)stride;
     const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0);
     /* each limb: reactions, eq. (32) */
-    const LIMB4 P_reactions_my = OWN(t5) - (OWN(t6) + IN_EACH4(SINES, cosine, 0, 2) * minus_upper_rate_mz_2);
+    const LIMB4 P_reactions_my = OWN(t5) - (OWN(t7) + IN_EACH4(SINES, cosine, 0, 2) * minus_upper_rate_mz_2);
     WRITE4(reactions, 10, 27, 46, 63, P_reactions_my);
     LIMB4 checked = OWN(checked) + P_reactions_my;
-    const LIMB4 P_reactions_mz = OWN(t12) - IN_EACH4(SINES, sine, 0, 2) * minus_upper_rate_mz_2 + OWN(t13);
+    const LIMB4 P_reactions_mz = OWN(t13) - IN_EACH4(SINES, sine, 0, 2) * minus_upper_rate_mz_2 + OWN(t14);
     WRITE4(reactions, 11, 29, 47, 65, sign1 * P_reactions_mz);
     checked = checked + P_reactions_mz;
-    OWN(signed_S_reactions_mz) = OWN(minus_upper_position_y) * S_reactions_fx - given;
     OWN(checked) = checked;
 }
 
@@ -1662,151 +1680,153 @@ BODY(three_ups_upu_s_forward_dynamics_reactions_wrenches)(size_t stride, const d
     const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t1 = limb5_S_q_qw * limb5_S_q_qw,
       t2 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t3 = t1 + t2, t4 = limb5_S_q_qy * limb5_S_q_qy,
       limb5_S_q_qz = READ(q, 15), t5 = limb5_S_q_qz * limb5_S_q_qz, t6 = t4 + t5, t7 = t3 + t6, t9 = 4.0 - 2.0 * t7,
-      t48 = t2 + t4, platform_turn_yy = 1.0 - t9 * (t2 + t5), platform_turn_xx = 1.0 - t6 * t9,
-      platform_turn_zz = 1.0 - t9 * t48, t12 = limb5_S_q_qz * t9, t13 = limb5_S_q_qy * t12,
+      t46 = t2 + t4, platform_turn_yy = 1.0 - t9 * (t2 + t5), platform_turn_xx = 1.0 - t6 * t9,
+      platform_turn_zz = 1.0 - t9 * t46, t12 = limb5_S_q_qz * t9, t13 = limb5_S_q_qy * t12,
       t15 = limb5_S_q_qw * (limb5_S_q_qx * t9), t17 = limb5_S_q_qy * t9, platform_turn_zy = t13 + t15,
       platform_turn_yz = t13 - t15;
     FIRST_LIMB(0, forward_dynamics_reactions_wrenches, 0, stride, q, v, a, multipliers_, reactions, sized_, sine, cosine, platform_turn_yy, platform_turn_zy, &limbs);
-    WRITE(reactions, 12, -limbs.t7[0]);
+    WRITE(reactions, 12, -limbs.t8[0]);
     /* limb1: geometry; reactions, eq. (32); balance, eqs. (40)-(47) */
-    const REAL limb1_U_0_cos = SINES(cosine, 0), t21 = limb1_U_0_cos * multipliers_2, t22 = t21 - limbs.t3[0];
-    WRITE(reactions, 13, -t22);
-    const REAL limb1_U_0_sin = SINES(sine, 0), t23 = limbs.signed_upper_position_z[0] * t22,
-      t99 = -(limbs.upper_position_x[0] * t22), t20 = limb1_U_0_sin * multipliers_2,
+    const REAL limb1_U_0_cos = SINES(cosine, 0), t20 = limb1_U_0_cos * multipliers_2, t21 = t20 - limbs.t3[0];
+    WRITE(reactions, 13, -t21);
+    const REAL limb1_U_0_sin = SINES(sine, 0), t23 = limbs.signed_upper_position_z[0] * t21,
+      t98 = -(limbs.upper_position_x[0] * t21), t22 = limb1_U_0_sin * multipliers_2,
       multipliers_3 = READ(multipliers_, 3);
-    FIRST_LIMB(0, forward_dynamics_reactions_wrenches, 1, stride, reactions, sine, cosine, limbs.t2[0], multipliers_3, platform_turn_yy, platform_turn_zy, t20, &limbs);
+    FIRST_LIMB(0, forward_dynamics_reactions_wrenches, 1, stride, reactions, sine, cosine, limbs.t2[0], multipliers_3, platform_turn_yy, platform_turn_zy, t22, &limbs);
     const REAL limb1_lower_sin = SINES(sine, 1);
-    RESULT(checked1, reactions, 15, limbs.t14[0] + t23 - limb1_lower_sin * limbs.minus_U2_joint_reaction_mx[0]);
-    const REAL limb1_upper_sent_mx = limbs.upper_rate_mx[0] - limbs.minus_U2_joint_reaction_mx[0];
-    /* limb5_S: results; geometry; accelerations */
-    RESULT(checked2, sized_, 9, per_length * limb1_upper_sent_mx);
-    const REAL limb1_lower_sent_mx = limbs.upper_rate_mx[0] + limb1_upper_sent_mx,
-      t16 = limbs.t8[0] - limbs.t9[0], /* limb1 */
-      t18 = limb5_S_q_qx * t17, t40 = limb5_S_q_qw * t17, t19 = limb5_S_q_qw * t12, t39 = limb5_S_q_qx * t12,
+    RESULT(checked1, reactions, 15, limbs.t16[0] + t23 - limb1_lower_sin * limbs.minus_U2_joint_reaction_mx[0]);
+    const REAL limb1_upper_sent_mx = limbs.upper_rate_mx[0] - limbs.minus_U2_joint_reaction_mx[0],
+      limb1_lower_sent_mx = limbs.upper_rate_mx[0] + limb1_upper_sent_mx, t16 = limbs.t9[0] - limbs.t10[0];
+    /* limb5_S: geometry; results; accelerations */
+    const REAL t18 = limb5_S_q_qx * t17, t38 = limb5_S_q_qw * t17, t19 = limb5_S_q_qw * t12, t37 = limb5_S_q_qx * t12,
       platform_turn_xy = t18 - t19;
-    FIRST_LIMB(0, forward_dynamics_reactions_wrenches, 2, stride, reactions, sine, cosine, limb1_lower_sent_mx, limb1_upper_sent_mx, t16, platform_turn_xy, multipliers_3, limbs.minus_upper_rate_mz_2[0], &limbs);
+    FIRST_LIMB(0, forward_dynamics_reactions_wrenches, 2, stride, reactions, sine, cosine, limb1_lower_sent_mx, limb1_upper_sent_mx, t16, platform_turn_xy, &limbs);
     const REAL platform_turn_yx = t18 + t19;
-    RESULT(checked3, sized_, 3, per_length * limbs.lower_joint_sent_mx[0]);
-    RESULT(checked0, sized_, 4, per_length * limbs.lower_joint_sent_my[0]);
-    FIRST_LIMB(0, forward_dynamics_reactions_wrenches, 3, stride, reactions, sine, cosine, limbs.signed_upper_sent_mz[0], limbs.t7[0], t99, &limbs);
+    FIRST_LIMB(0, forward_dynamics_reactions_wrenches, 3, stride, limbs.U2_constraint_mn_couple_z[0], multipliers_3, limbs.t8[0], t98, &limbs);
+    RESULT(checked2, sized_, 3, per_length * limbs.lower_joint_sent_mx[0]);
+    RESULT(checked3, sized_, 4, per_length * limbs.lower_joint_sent_my[0]);
+    RESULT(checked0, sized_, 9, per_length * limbs.t18[0]);
+    FIRST_LIMB(0, forward_dynamics_reactions_wrenches, 4, stride, reactions, sine, cosine, limbs.minus_upper_sent_mz[0], &limbs);
     checked1 = checked1 + ALONE(limbs.checked[0]);
-    const REAL t27 = limb1_U_0_cos * limbs.minus_U2_joint_reaction_mz[0], /* limb1 */
-      t28 = limbs.minus_lower_rotation_yx[0] * limbs.minus_U2_joint_reaction_mx[0] - t27; /* limb1 */
-    RESULT(checked2, reactions, 16, t28 - (limbs.signed_upper_position_z[0] * limbs.t7[0] - limbs.t11[0]));
+    const REAL t27 = limb1_U_0_cos * limbs.minus_U2_joint_reaction_mz[0]; /* limb1 */
+    RESULT(checked2, reactions, 16, limbs.minus_lower_rotation_yx[0] * limbs.minus_U2_joint_reaction_mx[0] - t27 + limbs.S_reactions_my[0]);
     NEXT_LIMB(1, forward_dynamics_reactions_wrenches, 0, stride, q, v, a, multipliers_, reactions, sized_, sine, cosine, multipliers_6, multipliers_6, &limbs);
-    RESULT(checked3, sized_, 27, per_length * limbs.upper_rate_mx[1]);
-    NEXT_LIMB(1, forward_dynamics_reactions_wrenches, 1, stride, reactions, sine, cosine, limbs.t3[1], limbs.signed_upper_position_z[1], limbs.t7[1], limbs.t7[1], limbs.t2[1], &limbs);
-    RESULT(checked0, reactions, 34, limbs.minus_U2_joint_reaction_mx[1] + limbs.t14[1]);
+    NEXT_LIMB(1, forward_dynamics_reactions_wrenches, 1, stride, reactions, sine, cosine, limbs.t3[1], limbs.signed_upper_position_z[1], limbs.t8[1], limbs.t8[1], limbs.t2[1], &limbs);
+    RESULT(checked3, reactions, 34, limbs.minus_U2_joint_reaction_mx[1] + limbs.t16[1]);
     WRITE(reactions, 30, -limbs.U2_constraint_mn_couple_x[1]);
     NEXT_LIMB(2, forward_dynamics_reactions_wrenches, 0, stride, q, v, a, multipliers_, reactions, sized_, sine, cosine, multipliers_9, multipliers_9, &limbs);
-    RESULT(checked1, sized_, 45, per_length * limbs.upper_rate_mx[2]);
-    NEXT_LIMB(2, forward_dynamics_reactions_wrenches, 1, stride, reactions, sine, cosine, limbs.t3[2], limbs.signed_upper_position_z[2], limbs.t7[2], limbs.t7[2], limbs.t2[2], &limbs);
-    RESULT(checked2, reactions, 51, limbs.t14[2] + limbs.minus_U2_joint_reaction_mx[2]);
+    NEXT_LIMB(2, forward_dynamics_reactions_wrenches, 1, stride, reactions, sine, cosine, limbs.t3[2], limbs.signed_upper_position_z[2], limbs.t8[2], limbs.t8[2], limbs.t2[2], &limbs);
+    RESULT(checked0, reactions, 51, limbs.t16[2] + limbs.minus_U2_joint_reaction_mx[2]);
     WRITE(reactions, 49, -limbs.U2_constraint_mn_couple_x[2]);
     NEXT_LIMB(3, forward_dynamics_reactions_wrenches, 0, stride, q, v, a, multipliers_, reactions, sized_, sine, cosine, multipliers_12, multipliers_12, &limbs);
-    RESULT(checked3, sized_, 63, per_length * limbs.upper_rate_mx[3]);
-    NEXT_LIMB(3, forward_dynamics_reactions_wrenches, 1, stride, reactions, sine, cosine, limbs.t3[3], limbs.signed_upper_position_z[3], limbs.t7[3], limbs.t7[3], limbs.t2[3], &limbs);
-    RESULT(checked0, reactions, 70, limbs.minus_U2_joint_reaction_mx[3] + limbs.t14[3]);
+    NEXT_LIMB(3, forward_dynamics_reactions_wrenches, 1, stride, reactions, sine, cosine, limbs.t3[3], limbs.signed_upper_position_z[3], limbs.t8[3], limbs.t8[3], limbs.t2[3], &limbs);
+    RESULT(checked1, reactions, 70, limbs.minus_U2_joint_reaction_mx[3] + limbs.t16[3]);
     WRITE(reactions, 66, -limbs.U2_constraint_mn_couple_x[3]);
-    const REAL platform_turn_zx = t39 - t40, limb5_S_v_wx = READ(v, 12), limb5_S_v_wz = READ(v, 14),
-      platform_turn_xz = t39 + t40, t41 = platform_m_gravity_z * platform_turn_zx,
-      platform_rate_fx_2 = platform_mz * (READ(a, 13) + limb5_S_v_wx * limb5_S_v_wz) + t41,
+    const REAL platform_turn_zx = t37 - t38, limb5_S_v_wx = READ(v, 12), limb5_S_v_wz = READ(v, 14),
+      platform_turn_xz = t37 + t38, t39 = platform_m_gravity_z * platform_turn_zx,
+      platform_rate_fx_2 = platform_mz * (READ(a, 13) + limb5_S_v_wx * limb5_S_v_wz) + t39,
       limb5_S_v_wy = READ(v, 13);
     /* platform: balance, eqs. (40)-(47); momentum rate, eq. (35); results */
-    const REAL t42 = platform_turn_xx * platform_rate_fx_2, t58 = platform_turn_yx * platform_rate_fx_2,
-      t72 = platform_turn_zx * platform_rate_fx_2, t43 = platform_m_gravity_z * platform_turn_zy,
-      minus_platform_rate_fy_2 = platform_mz * (READ(a, 12) - limb5_S_v_wy * limb5_S_v_wz) - t43,
-      t45 = t42 - platform_turn_xy * minus_platform_rate_fy_2,
-      t60 = t58 - platform_turn_yy * minus_platform_rate_fy_2,
-      t74 = t72 - platform_turn_zy * minus_platform_rate_fy_2, t50 = platform_m_gravity_z * platform_turn_zz,
-      minus_platform_rate_fz_2 = platform_mz * (limb5_S_v_wx * limb5_S_v_wx + limb5_S_v_wy * limb5_S_v_wy) - t50,
-      t62 = t60 - platform_turn_yz * minus_platform_rate_fz_2,
-      t76 = t74 - platform_turn_zz * minus_platform_rate_fz_2,
-      t55 = t45 - platform_turn_xz * minus_platform_rate_fz_2 + limbs.t7[0] + (limbs.t1[1] - limbs.t8[1]);
-    NEXT_LIMB(2, forward_dynamics_reactions_wrenches, 2, stride, reactions, sine, cosine, 2.0 * limbs.upper_rate_mx[2], limbs.upper_rate_mx[2], multipliers_8, multipliers_7, limbs.signed_upper_position_z[2], limbs.t11[2], &limbs);
+    const REAL t40 = platform_turn_xx * platform_rate_fx_2, t56 = platform_turn_yx * platform_rate_fx_2,
+      t70 = platform_turn_zx * platform_rate_fx_2, t41 = platform_m_gravity_z * platform_turn_zy,
+      minus_platform_rate_fy_2 = platform_mz * (READ(a, 12) - limb5_S_v_wy * limb5_S_v_wz) - t41,
+      t43 = t40 - platform_turn_xy * minus_platform_rate_fy_2,
+      t58 = t56 - platform_turn_yy * minus_platform_rate_fy_2,
+      t72 = t70 - platform_turn_zy * minus_platform_rate_fy_2, t48 = platform_m_gravity_z * platform_turn_zz,
+      minus_platform_rate_fz_2 = platform_mz * (limb5_S_v_wx * limb5_S_v_wx + limb5_S_v_wy * limb5_S_v_wy) - t48,
+      t60 = t58 - platform_turn_yz * minus_platform_rate_fz_2,
+      t74 = t72 - platform_turn_zz * minus_platform_rate_fz_2,
+      t53 = t43 - platform_turn_xz * minus_platform_rate_fz_2 + limbs.t8[0] + (limbs.t1[1] - limbs.t9[1]);
+    NEXT_LIMB(2, forward_dynamics_reactions_wrenches, 2, stride, reactions, sine, cosine, 2.0 * limbs.upper_rate_mx[2], limbs.upper_rate_mx[2], multipliers_8, multipliers_7, &limbs);
     WRITE(reactions, 48, limbs.U2_constraint_mn_couple_z[2]);
-    WRITE(reactions, 52, limbs.signed_upper_sent_mz[2]);
-    checked1 = checked1 + limbs.signed_upper_sent_mz[2];
-    const REAL t56 = t55 - limbs.U2_constraint_mn_couple_z[2];
+    const REAL t54 = t53 - limbs.U2_constraint_mn_couple_z[2];
     RESULT(checked2, sized_, 39, per_length * limbs.lower_joint_sent_mx[2]);
     RESULT(checked3, sized_, 40, per_length * limbs.lower_joint_sent_my[2]); /* limb3 */
-    const REAL platform_joint_sent_fx = t56 + (limbs.t1[3] - limbs.t8[3]);
+    RESULT(checked0, sized_, 45, per_length * limbs.t18[2]);
+    NEXT_LIMB(2, forward_dynamics_reactions_wrenches, 4, stride, reactions, sine, cosine, limbs.minus_upper_rate_mz_2[2], &limbs);
+    checked1 = checked1 + ALONE(limbs.checked[2]);
+    const REAL platform_joint_sent_fx = t54 + (limbs.t1[3] - limbs.t9[3]);
     WRITE(reactions, 72, platform_joint_sent_fx);
     WRITE(sized_, 72, platform_joint_sent_fx);
-    checked0 = checked0 + platform_joint_sent_fx;
+    checked2 = checked2 + platform_joint_sent_fx;
     const REAL limb1_lower_cos = SINES(cosine, 1),
-      t65 = limb1_lower_cos * multipliers_0 - limb1_lower_sin * multipliers_1,
-      t68 = t62 + (t21 - limb1_U_0_sin * t65), t79 = t76 + (t20 + limb1_U_0_cos * t65);
-    NEXT_LIMB(1, forward_dynamics_reactions_wrenches, 2, stride, reactions, sine, cosine, 2.0 * limbs.upper_rate_mx[1], limbs.upper_rate_mx[1], multipliers_5, multipliers_4, limbs.signed_upper_position_z[1], -limbs.t11[1], &limbs);
+      t63 = limb1_lower_cos * multipliers_0 - limb1_lower_sin * multipliers_1,
+      t66 = t60 + (t20 - limb1_U_0_sin * t63), t77 = t74 + (t22 + limb1_U_0_cos * t63);
+    NEXT_LIMB(1, forward_dynamics_reactions_wrenches, 2, stride, reactions, sine, cosine, 2.0 * limbs.upper_rate_mx[1], limbs.upper_rate_mx[1], multipliers_5, multipliers_4, &limbs);
     WRITE(reactions, 31, limbs.U2_constraint_mn_couple_z[1]);
-    WRITE(reactions, 33, limbs.signed_upper_sent_mz[1]);
-    checked1 = checked1 + limbs.signed_upper_sent_mz[1];
-    const REAL t69 = t68 - limbs.U2_constraint_mn_couple_z[1];
-    RESULT(checked2, sized_, 21, per_length * limbs.lower_joint_sent_mx[1]);
-    RESULT(checked3, sized_, 22, per_length * limbs.lower_joint_sent_my[1]);
-    const REAL t71 = t69 + (limbs.t1[2] - limbs.t8[2]);
-    NEXT_LIMB(3, forward_dynamics_reactions_wrenches, 2, stride, reactions, sine, cosine, 2.0 * limbs.upper_rate_mx[3], limbs.upper_rate_mx[3], multipliers_11, multipliers_10, limbs.signed_upper_position_z[3], limbs.t11[3], &limbs);
+    const REAL t67 = t66 - limbs.U2_constraint_mn_couple_z[1];
+    RESULT(checked3, sized_, 21, per_length * limbs.lower_joint_sent_mx[1]);
+    RESULT(checked0, sized_, 22, per_length * limbs.lower_joint_sent_my[1]);
+    RESULT(checked1, sized_, 27, per_length * limbs.t18[1]);
+    NEXT_LIMB(1, forward_dynamics_reactions_wrenches, 4, stride, reactions, sine, cosine, limbs.minus_upper_rate_mz_2[1], &limbs);
+    checked2 = checked2 + ALONE(limbs.checked[1]);
+    const REAL t97 = -limbs.U2_constraint_mn_couple_z[1], t69 = t67 + (limbs.t1[2] - limbs.t9[2]);
+    NEXT_LIMB(3, forward_dynamics_reactions_wrenches, 2, stride, reactions, sine, cosine, 2.0 * limbs.upper_rate_mx[3], limbs.upper_rate_mx[3], multipliers_11, multipliers_10, &limbs);
     WRITE(reactions, 67, limbs.U2_constraint_mn_couple_z[3]);
-    WRITE(reactions, 69, limbs.signed_upper_sent_mz[3]);
-    checked0 = checked0 + limbs.signed_upper_sent_mz[3];
-    const REAL platform_joint_sent_fy = t71 - limbs.U2_constraint_mn_couple_z[3];
+    const REAL platform_joint_sent_fy = t69 - limbs.U2_constraint_mn_couple_z[3];
     WRITE(reactions, 73, platform_joint_sent_fy);
     WRITE(sized_, 73, platform_joint_sent_fy);
-    checked1 = checked1 + platform_joint_sent_fy;
-    RESULT(checked2, sized_, 57, per_length * limbs.lower_joint_sent_mx[3]);
-    RESULT(checked3, sized_, 58, per_length * limbs.lower_joint_sent_my[3]); /* limb4 */
-    const REAL t100 = -(limbs.upper_position_x[1] * limbs.U2_constraint_mn_couple_x[1]),
-      t83 = t79 - (limbs.t2[1] + limbs.t9[1]) + (limbs.t2[2] + limbs.t9[2]);
-    NEXT_LIMB(2, forward_dynamics_reactions_wrenches, 3, stride, reactions, sine, cosine, limbs.minus_upper_rate_mz_2[2], limbs.U2_constraint_mn_couple_z[2], limbs.upper_position_x[2] * limbs.U2_constraint_mn_couple_x[2], &limbs);
-    WRITE(reactions, 53, limbs.signed_S_reactions_mz[2]);
-    checked0 = checked0 + limbs.signed_S_reactions_mz[2];
-    checked1 = checked1 + ALONE(limbs.checked[2]);
-    const REAL platform_joint_sent_fz = t83 - (limbs.t2[3] + limbs.t9[3]);
+    checked3 = checked3 + platform_joint_sent_fy;
+    RESULT(checked0, sized_, 57, per_length * limbs.lower_joint_sent_mx[3]);
+    RESULT(checked1, sized_, 58, per_length * limbs.lower_joint_sent_my[3]); /* limb4 */
+    RESULT(checked2, sized_, 63, per_length * limbs.t18[3]);
+    NEXT_LIMB(3, forward_dynamics_reactions_wrenches, 4, stride, reactions, sine, cosine, limbs.minus_upper_rate_mz_2[3], &limbs);
+    checked3 = checked3 + ALONE(limbs.checked[3]);
+    const REAL platform_joint_sent_fz = t77 - (limbs.t2[1] + limbs.t10[1]) + (limbs.t2[2] + limbs.t10[2]) - (limbs.t2[3] + limbs.t10[3]);
     WRITE(reactions, 74, platform_joint_sent_fz);
     WRITE(sized_, 74, platform_joint_sent_fz);
-    checked2 = checked2 + platform_joint_sent_fz;
-    NEXT_LIMB(3, forward_dynamics_reactions_wrenches, 3, stride, reactions, sine, cosine, limbs.minus_upper_rate_mz_2[3], limbs.U2_constraint_mn_couple_z[3], limbs.upper_position_x[3] * limbs.U2_constraint_mn_couple_x[3], &limbs);
-    checked3 = checked3 + limbs.signed_S_reactions_mz[3];
-    checked0 = checked0 + ALONE(limbs.checked[3]);
-    WRITE(reactions, 71, -limbs.signed_S_reactions_mz[3]);
-    NEXT_LIMB(1, forward_dynamics_reactions_wrenches, 3, stride, reactions, sine, cosine, limbs.minus_upper_rate_mz_2[1], -limbs.U2_constraint_mn_couple_z[1], t100, &limbs);
-    WRITE(reactions, 35, limbs.signed_S_reactions_mz[1]);
-    checked1 = checked1 + limbs.signed_S_reactions_mz[1];
-    checked2 = checked2 + ALONE(limbs.checked[1]);
+    checked0 = checked0 + platform_joint_sent_fz;
     /* limb1: reactions, eq. (32) */
-    const REAL t36 = limb1_U_0_sin * limbs.minus_U2_joint_reaction_mz[0],
-      minus_limb1_U2_reactions_mz = limbs.signed_S_reactions_mz[0] + (limbs.signed_lower_rotation_zx[0] * limbs.minus_U2_joint_reaction_mx[0] + t36);
-    checked3 = checked3 + minus_limb1_U2_reactions_mz;
+    const REAL t34 = limb1_U_0_sin * limbs.minus_U2_joint_reaction_mz[0],
+      minus_limb1_U2_reactions_mz = limbs.signed_S_reactions_mz[0] + (limbs.signed_lower_rotation_zx[0] * limbs.minus_U2_joint_reaction_mx[0] + t34);
+    checked1 = checked1 + minus_limb1_U2_reactions_mz;
     WRITE(reactions, 17, -minus_limb1_U2_reactions_mz);
     /* limb1: results */
-    const REAL t85 = per_length * limbs.minus_upper_rate_my_2[0];
-    checked0 = checked0 + t85;
-    WRITE(sized_, 10, -t85);
     const REAL t87 = per_length * limbs.minus_U2_joint_reaction_mx[0];
-    checked1 = checked1 + t87;
+    checked2 = checked2 + t87;
     WRITE(sized_, 15, -t87);
-    const REAL t86 = per_length * limbs.signed_upper_sent_mz[0];
-    checked2 = checked2 + t86;
+    const REAL t83 = per_length * limbs.t19[0];
+    checked3 = checked3 + t83;
+    WRITE(sized_, 10, -t83);
+    const REAL t86 = per_length * (limbs.minus_upper_sent_mz[0] - limbs.upper_sent_fy[0] * limbs.t11[0]);
+    checked0 = checked0 + t86;
     WRITE(sized_, 11, -t86);
     const REAL t88 = per_length * limbs.minus_U2_joint_reaction_mz[0];
-    checked3 = checked3 + t88;
+    checked1 = checked1 + t88;
     WRITE(sized_, 17, -t88);
-    const REAL t89 = per_length * limbs.minus_upper_rate_my_2[1]; /* limb2 */
-    checked0 = checked0 + t89; /* limb2 */
+    /* limb2: results; reactions, eq. (32) */
+    const REAL t89 = per_length * limbs.t19[1];
+    checked2 = checked2 + t89;
     WRITE(sized_, 28, -t89);
-    const REAL t90 = per_length * limbs.minus_upper_rate_mz_2[1]; /* limb2 */
-    checked1 = checked1 + t90; /* limb2 */
+    NEXT_LIMB(1, forward_dynamics_reactions_wrenches, 3, stride, limbs.upper_sent_fy[1], limbs.t11[1], t97, -(limbs.upper_position_x[1] * limbs.U2_constraint_mn_couple_x[1]), &limbs);
+    WRITE(reactions, 33, limbs.S_reactions_my[1]);
+    checked3 = checked3 + limbs.S_reactions_my[1];
+    WRITE(reactions, 35, limbs.signed_S_reactions_mz[1]);
+    checked0 = checked0 + limbs.signed_S_reactions_mz[1];
+    const REAL t90 = per_length * limbs.minus_upper_sent_mz[1];
+    checked1 = checked1 + t90;
     WRITE(sized_, 29, -t90);
-    const REAL t92 = per_length * limbs.minus_upper_rate_my_2[2]; /* limb3 */
-    checked2 = checked2 + t92; /* limb3 */
+    /* limb3: results; reactions, eq. (32) */
+    const REAL t92 = per_length * limbs.t19[2];
+    checked2 = checked2 + t92;
     WRITE(sized_, 46, -t92);
-    const REAL t93 = per_length * limbs.minus_upper_rate_mz_2[2]; /* limb3 */
-    checked3 = checked3 + t93; /* limb3 */
+    NEXT_LIMB(2, forward_dynamics_reactions_wrenches, 3, stride, limbs.upper_sent_fy[2], limbs.t11[2], limbs.U2_constraint_mn_couple_z[2], limbs.upper_position_x[2] * limbs.U2_constraint_mn_couple_x[2], &limbs);
+    WRITE(reactions, 52, limbs.S_reactions_my[2]);
+    checked3 = checked3 + limbs.S_reactions_my[2];
+    WRITE(reactions, 53, limbs.signed_S_reactions_mz[2]);
+    checked0 = checked0 + limbs.signed_S_reactions_mz[2];
+    const REAL t93 = per_length * limbs.minus_upper_sent_mz[2];
+    checked1 = checked1 + t93;
     WRITE(sized_, 47, -t93);
-    const REAL t95 = per_length * limbs.minus_upper_rate_my_2[3]; /* limb4 */
-    checked0 = checked0 + t95; /* limb4 */
+    const REAL t95 = per_length * limbs.t19[3]; /* limb4 */
+    checked2 = checked2 + t95; /* limb4 */
     WRITE(sized_, 64, -t95);
-    const REAL t96 = per_length * limbs.minus_upper_rate_mz_2[3]; /* limb4 */
+    NEXT_LIMB(3, forward_dynamics_reactions_wrenches, 3, stride, limbs.upper_sent_fy[3], limbs.t11[3], limbs.U2_constraint_mn_couple_z[3], limbs.upper_position_x[3] * limbs.U2_constraint_mn_couple_x[3], &limbs);
+    WRITE(reactions, 69, limbs.S_reactions_my[3]);
+    checked3 = checked3 + limbs.S_reactions_my[3];
+    checked0 = checked0 + limbs.signed_S_reactions_mz[3];
+    WRITE(reactions, 71, -limbs.signed_S_reactions_mz[3]);
+    const REAL t96 = per_length * limbs.minus_upper_sent_mz[3]; /* limb4 */
     checked1 = checked1 + t96; /* limb4 */
     WRITE(sized_, 65, -t96);
     WRITE(reactions, 75, CONSTANT(0.0));

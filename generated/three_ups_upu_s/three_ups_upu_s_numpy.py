@@ -2,7 +2,7 @@
 
 Mechanism: three_ups_upu_s, two rotations about O, four driven sliders; inertias as printed in Table 3
 Effects: Gravity(acceleration=(0, 0, '-9.81'))
-Programs: 23a9ebd01ed3e273
+Programs: c008f27b217714b7
 Note: bodies.platform: the radius of gyration 5.665 m exceeds the body's extent 1.0 m (joint points,
   named points and centre of mass); are inertia and units right?
 Note: bodies.limb1_lower, bodies.limb1_upper, bodies.limb2_lower, bodies.limb2_upper,
@@ -11036,60 +11036,102 @@ def _forward_dynamics_reactions_wrenches(*arguments):
         t423 = t418 - platform_turn_zz * minus_platform_rate_fz_2 + (t98 + limb1_U_0_cos * t405)
         t429 = t423 - (t192 + limb2_U_0_sin * t388) + (t275 + limb3_U_0_cos * t412)
         platform_joint_sent_fz = t429 - (t360 + limb4_U_0_sin * t395)
+        # limb1: balance, eqs. (40)-(47)
         limb1_lower_joint_sent_fx = -minus_limb1_lower_joint_sent_fx
         sized_3 = 1.5098282268426322 * limb1_lower_joint_sent_mx
         sized_4 = 1.5098282268426322 * limb1_lower_joint_sent_my
-        # limb1: balance, eqs. (40)-(47); results; reactions, eq. (32)
         limb1_upper_sent_fz = -minus_limb1_upper_sent_fz
-        sized_9 = 1.5098282268426322 * limb1_upper_sent_mx
-        t432 = 1.5098282268426322 * minus_limb1_upper_rate_my_2
-        sized_10 = -t432
-        t433 = 1.5098282268426322 * minus_limb1_upper_sent_mz
-        sized_11 = -t433
+        # limb1: results; reactions, eq. (32)
+        t432 = 0.3 * limb1_lower_sin
+        t433 = limb1_lower_cos * t432
+        t434 = 0.3 * minus_limb1_lower_rotation_yx
+        t436 = t433 - limb1_lower_rotation_yy * t434
+        t437 = 0.3 * limb1_lower_rotation_zx
+        t440 = minus_limb1_upper_sent_fz * (t436 - minus_limb1_lower_rotation_zy * t437)
+        t446 = limb1_upper_sent_mx - (t440 - limb1_upper_sent_fy * (limb1_U_0_cos * t434 - limb1_U_0_sin * t437))
+        sized_9 = 1.5098282268426322 * t446
+        t451 = limb1_lower_sin * t432 + minus_limb1_lower_rotation_yx * t434 + limb1_lower_rotation_zx * t437
+        t454 = 1.5098282268426322 * (minus_limb1_upper_rate_my_2 - minus_limb1_upper_sent_fz * t451)
+        sized_10 = -t454
+        t457 = 1.5098282268426322 * (minus_limb1_upper_sent_mz - limb1_upper_sent_fy * t451)
+        sized_11 = -t457
         limb1_U2_joint_reaction_fx = -multipliers_0
         limb1_U2_joint_reaction_fy = -multipliers_1
         limb1_U2_joint_reaction_fz = -multipliers_2
-        t434 = 1.5098282268426322 * minus_limb1_U2_joint_reaction_mx
-        sized_15 = -t434
-        t435 = 1.5098282268426322 * minus_limb1_U2_joint_reaction_mz
-        sized_17 = -t435
+        t458 = 1.5098282268426322 * minus_limb1_U2_joint_reaction_mx
+        sized_15 = -t458
+        t459 = 1.5098282268426322 * minus_limb1_U2_joint_reaction_mz
+        sized_17 = -t459
+        # limb2: balance, eqs. (40)-(47)
         limb2_lower_joint_sent_fx = -minus_limb2_lower_joint_sent_fx
         sized_21 = 1.5098282268426322 * limb2_lower_joint_sent_mx
         sized_22 = 1.5098282268426322 * limb2_lower_joint_sent_my
         limb2_upper_sent_fz = -minus_limb2_upper_sent_fz
-        sized_27 = 1.5098282268426322 * limb2_upper_rate_mx
-        t436 = 1.5098282268426322 * minus_limb2_upper_rate_my_2  # limb2
-        sized_28 = -t436
-        t437 = 1.5098282268426322 * minus_limb2_upper_rate_mz_2  # limb2
-        sized_29 = -t437
+        # limb2: results; reactions, eq. (32)
+        t460 = 0.3 * minus_limb2_lower_rotation_xx
+        t461 = limb2_lower_rotation_xy * t460
+        t462 = 0.3 * limb2_lower_sin
+        t464 = t461 - limb2_lower_cos * t462
+        t465 = 0.3 * minus_limb2_lower_rotation_zx
+        t468 = minus_limb2_upper_sent_fz * (t464 + limb2_lower_rotation_zy * t465)
+        t474 = limb2_upper_rate_mx + (t468 + limb2_upper_sent_fy * (limb2_U_0_sin * t460 - minus_limb2_U_0_cos * t465))
+        sized_27 = 1.5098282268426322 * t474
+        t477 = minus_limb2_lower_rotation_xx * t460 + limb2_lower_sin * t462
+        t479 = t477 + minus_limb2_lower_rotation_zx * t465
+        t482 = 1.5098282268426322 * (minus_limb2_upper_rate_my_2 - minus_limb2_upper_sent_fz * t479)
+        sized_28 = -t482
+        t485 = 1.5098282268426322 * (minus_limb2_upper_rate_mz_2 - limb2_upper_sent_fy * t479)
+        sized_29 = -t485
         limb2_S_joint_reaction_fx = -multipliers_4
         limb2_S_joint_reaction_fy = -multipliers_5
         limb2_S_joint_reaction_fz = -multipliers_6
+        # limb3: balance, eqs. (40)-(47)
         limb3_lower_joint_sent_fx = -minus_limb3_lower_joint_sent_fx
         limb3_lower_sent_fz = -minus_limb3_lower_sent_fz
         sized_39 = 1.5098282268426322 * limb3_lower_joint_sent_mx
-        t438 = 1.5098282268426322 * minus_limb3_lower_joint_sent_my  # limb3
-        sized_40 = -t438
+        # limb3: results; balance, eqs. (40)-(47); reactions, eq. (32)
+        t486 = 1.5098282268426322 * minus_limb3_lower_joint_sent_my
+        sized_40 = -t486
         limb3_upper_sent_fz = -minus_limb3_upper_sent_fz
-        sized_45 = 1.5098282268426322 * limb3_upper_rate_mx
-        t439 = 1.5098282268426322 * minus_limb3_upper_rate_my_2  # limb3
-        sized_46 = -t439
-        t440 = 1.5098282268426322 * minus_limb3_upper_rate_mz_2  # limb3
-        sized_47 = -t440
+        t487 = 0.3 * minus_limb3_lower_sin
+        t488 = limb3_lower_cos * t487
+        t489 = 0.3 * minus_limb3_lower_rotation_yx
+        t491 = t488 - minus_limb3_lower_rotation_yy * t489
+        t492 = 0.3 * limb3_lower_rotation_zx
+        t495 = minus_limb3_upper_sent_fz * (t491 - limb3_lower_rotation_zy * t492)
+        t501 = limb3_upper_rate_mx + (t495 + limb3_upper_sent_fy * (limb3_U_0_cos * t489 - limb3_U_0_sin * t492))
+        sized_45 = 1.5098282268426322 * t501
+        t504 = minus_limb3_lower_sin * t487 + minus_limb3_lower_rotation_yx * t489
+        t506 = t504 + limb3_lower_rotation_zx * t492
+        t509 = 1.5098282268426322 * (minus_limb3_upper_rate_my_2 - minus_limb3_upper_sent_fz * t506)
+        sized_46 = -t509
+        t512 = 1.5098282268426322 * (minus_limb3_upper_rate_mz_2 - limb3_upper_sent_fy * t506)
+        sized_47 = -t512
         limb3_S_joint_reaction_fx = -multipliers_7
         limb3_S_joint_reaction_fy = -multipliers_8
         limb3_S_joint_reaction_fz = -multipliers_9
+        # limb4: balance, eqs. (40)-(47)
         limb4_lower_joint_sent_fx = -minus_limb4_lower_joint_sent_fx
         limb4_lower_sent_fz = -minus_limb4_lower_sent_fz
         sized_57 = 1.5098282268426322 * limb4_lower_joint_sent_mx
-        t441 = 1.5098282268426322 * minus_limb4_lower_joint_sent_my  # limb4
-        sized_58 = -t441
+        # limb4: results; balance, eqs. (40)-(47); reactions, eq. (32)
+        t513 = 1.5098282268426322 * minus_limb4_lower_joint_sent_my
+        sized_58 = -t513
         limb4_upper_sent_fz = -minus_limb4_upper_sent_fz
-        sized_63 = 1.5098282268426322 * limb4_upper_rate_mx
-        t442 = 1.5098282268426322 * minus_limb4_upper_rate_my_2  # limb4
-        sized_64 = -t442
-        t443 = 1.5098282268426322 * minus_limb4_upper_rate_mz_2  # limb4
-        sized_65 = -t443
+        t514 = 0.3 * minus_limb4_lower_rotation_xx
+        t515 = minus_limb4_lower_rotation_xy * t514
+        t516 = 0.3 * minus_limb4_lower_sin
+        t518 = t515 - limb4_lower_cos * t516
+        t519 = 0.3 * minus_limb4_lower_rotation_zx
+        t522 = minus_limb4_upper_sent_fz * (t518 + minus_limb4_lower_rotation_zy * t519)
+        t528 = limb4_upper_rate_mx - (t522 - limb4_upper_sent_fy * (limb4_U_0_sin * t514 - minus_limb4_U_0_cos * t519))
+        sized_63 = 1.5098282268426322 * t528
+        t531 = minus_limb4_lower_rotation_xx * t514 + minus_limb4_lower_sin * t516
+        t533 = t531 + minus_limb4_lower_rotation_zx * t519
+        t536 = 1.5098282268426322 * (minus_limb4_upper_rate_my_2 - minus_limb4_upper_sent_fz * t533)
+        sized_64 = -t536
+        t539 = 1.5098282268426322 * (minus_limb4_upper_rate_mz_2 - limb4_upper_sent_fy * t533)
+        sized_65 = -t539
         limb4_S_joint_reaction_fx = -multipliers_10
         limb4_S_joint_reaction_fy = -multipliers_11
         limb4_S_joint_reaction_fz = -multipliers_12
@@ -11140,9 +11182,9 @@ def _forward_dynamics_reactions_wrenches(*arguments):
             limb4_lower_joint_sent_fy, limb4_U_reactions_mx, limb4_U_reactions_mz, t337,
             limb4_P_reactions_my, t352, limb4_S_reactions_mx, limb4_S_reactions_my,
             limb4_S_reactions_mz, platform_joint_sent_fx, platform_joint_sent_fy,
-            platform_joint_sent_fz, sized_3, sized_4, sized_9, t432, t433, t434, t435, sized_21,
-            sized_22, sized_27, t436, t437, sized_39, t438, sized_45, t439, t440, sized_57, t441,
-            sized_63, t442, t443, limb1_P_u, limb2_P_u, limb3_P_u, limb4_P_u, limb5_S_a_wz), ((t28,
+            platform_joint_sent_fz, sized_3, sized_4, sized_9, t454, t457, t458, t459, sized_21,
+            sized_22, sized_27, t482, t485, sized_39, t486, sized_45, t509, t512, sized_57, t513,
+            sized_63, t536, t539, limb1_P_u, limb2_P_u, limb3_P_u, limb4_P_u, limb5_S_a_wz), ((t28,
             0.999999, 1.000001, 5),))
 
 
