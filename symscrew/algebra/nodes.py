@@ -23,13 +23,7 @@ import mpmath
 import numpy as np
 import sympy
 
-from symscrew.algebra.operations import (
-    CONTEXT,
-    apply_at_samples,
-    apply_high_precision,
-    evaluate_constant,
-    high_precision,
-)
+from symscrew.algebra.operations import CONTEXT, apply_high_precision, at_samples, evaluate_constant, high_precision
 from symscrew.algebra.origins import Origin
 
 # Constants carry 60 digits, and a derivation loses a few of them. What is left of a zero is 1e-58 or so, and the
@@ -381,7 +375,7 @@ class Tape:
         known = self._samples
         if node.index not in known:
             with np.errstate(all="ignore"):
-                _evaluate(node, known, lambda constant: np.asarray(self.double(constant)), apply_at_samples)
+                _evaluate(node, known, lambda constant: np.asarray(self.double(constant)), at_samples)
         return known[node.index]
 
     # -- identities in the run-time parameters ---------------------------------------------------------

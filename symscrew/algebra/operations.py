@@ -64,7 +64,7 @@ IN_NUMPY: dict[str, Any] = {
 }
 
 
-def apply_at_samples(op: str, args: list[Any]) -> Any:
+def at_samples(op: str, args: list[Any]) -> Any:
     """`apply_numpy` over sample states, where 1 over rounding is 1/0.
 
     A pivot that is rounding at a state where others are not, as at a singular reference, would let whatever is divided

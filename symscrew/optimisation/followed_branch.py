@@ -41,6 +41,9 @@ WIDER = 1.2
 # Of the solver's own configuration against the one followed [1, rad, m]: constraints hold to 1e-8 scaled, times what
 # a nearly singular closure makes of it.
 AGREED = 1e-5
+# Steps of time by which z is carried to a piece from the solver's nearest point, where Newton's method alone failed. Of
+# four points in half a turn they are a tenth of a radian; a step too long ends as a piece that is not proved.
+CARRIED = 8
 START_STEPS = 20  # from the start's configuration to that of the plan, where conditions leave it free
 
 
@@ -198,7 +201,7 @@ class Branch:
         motion = self.motion
         mesh, layout = motion.transcribed.mesh, motion.model.equations.layout
         pieces, found = Pieces.whole(len(mesh) - 1), None
-        z = motion.nearest(pieces.tau(mesh))[:, list(layout.z)]
+        z = motion.nearest(pieces.tau(mesh))[1][:, list(layout.z)]
         while True:
             boxes, good = self.boxes(pieces, z)
             now = boxes.chosen(good)
@@ -212,11 +215,19 @@ class Branch:
                 return Followed(found.in_order(), self._singular(first))
             far = ~(lost.excess.sum(axis=2).max(axis=1, initial=0.0) < FAR)
             pieces = lost.pieces.chosen(far).halves().with_others(lost.pieces.chosen(~far)).halves()
-            z = motion.nearest(pieces.tau(mesh))[:, list(layout.z)]
+            z = self._carried(pieces.tau(mesh))
         assert found is not None
         ordered = found.in_order()
         trouble = self._parted(ordered) or self._elsewhere(ordered)
         return Followed(ordered, trouble or self._other_start(ordered) or self._other_goal(ordered))
+
+    def _carried(self, tau: np.ndarray) -> np.ndarray:
+        """z (n, nz) near relative times, from the solver's nearest points; boxes tell whether they are solutions."""
+        near, q = self.motion.nearest(tau)
+        z = q[:, list(self.motion.model.equations.layout.z)]
+        for share in np.linspace(0.0, 1.0, CARRIED + 1)[1:]:
+            z, _ = self.solved(self.motion.blocks(near + share * (tau - near))["y"], z)
+        return z
 
     def _singular(self, tau: float) -> str:
         labels = ", ".join(self.motion.labels)

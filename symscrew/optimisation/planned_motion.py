@@ -164,7 +164,7 @@ class PlannedMotion:
 
     def configurations(self, tau: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """q (n, nq) assembled at ascending relative times, and where that succeeded (n,)."""
-        return self.kinematics.assemble_all(y, self.nearest(tau))
+        return self.kinematics.assemble_all(y, self.nearest(tau)[1])
 
     @cached_property
     def kinematics(self) -> Kinematics:
@@ -179,8 +179,8 @@ class PlannedMotion:
         z = self.arrays["z"].reshape(len(blocks["y"]), len(layout.z))
         return self.kinematics.closure(blocks["y"], z)[0]
 
-    def nearest(self, tau: np.ndarray) -> np.ndarray:
-        """The solver's configurations q (n, nq) at the points nearest to relative times."""
+    def nearest(self, tau: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """The points nearest to relative times: their times (n,) and the solver's configurations q (n, nq) there."""
         points = self.transcribed.point_tau.ravel()
         right = (
             np.clip(np.searchsorted(points, tau), 1, len(points) - 1) if len(points) > 1 else np.zeros(len(tau), int)
@@ -188,7 +188,7 @@ class PlannedMotion:
         left = np.maximum(right - 1, 0)
         nearer = np.where(np.abs(points[left] - tau) <= np.abs(points[right] - tau), left, right)
         q = np.nan_to_num(self.point_configurations)
-        return np.asarray(q[nearer])
+        return points[nearer], np.asarray(q[nearer])
 
     def sample(self, t: np.ndarray | None = None, *, count: int = 201) -> Samples:
         """The motion at times t [s], or at `count` equal ones; configurations are assembled, so loops are closed."""

@@ -298,3 +298,13 @@ def test_what_cannot_be_replayed_is_called_so(what: str) -> None:
         replay(found)
     plan = solve_joined(JoinedProblem((problem, problem), (None,)))
     assert plan.ok and all(plan_verdict.NOT_REPLAYED in part.notes for part in plan.parts)
+
+
+def test_plans_of_half_a_turn_an_interval_are_followed() -> None:
+    """Between points a radian apart Newton's method does not get from one to the next: it is no singularity."""
+    start, end = (Conditions(coordinates={"A": at}, at_rest=True) for at in (0.0, 4 * math.pi))
+    problem = TrajectoryProblem(
+        catalogue.load("four_bar"), duration=2.0, start=start, end=end,
+        transcription=Transcription(intervals=4), accuracy=None,
+    )  # fmt: skip
+    assert solve(problem).followed.trouble == ""
