@@ -348,7 +348,7 @@ def test_what_follows_from_other_lengths_is_named() -> None:
     assert found[r"\cos \varphi_{11}"] == r"\frac{\mathrm{depth}}{\mathrm{rod}}"
     assert found[r"\boldsymbol{S}_{11}"].split()[1::2] == ["0", "1", "0", "0", "0", r"\mathrm{reach}"]
     assert found[r"\boldsymbol{S}_{1}"].startswith(r"\boldsymbol{Z}(330^{\circ})")
-    lengths = made.parts[0].symbols
+    lengths = next(part.symbols for part in made.parts if part.title == "Lengths")
     assert len(lengths) == 5 and not any("kg" in words for words in lengths.values())
 
 
