@@ -392,8 +392,8 @@ def test_a_locus_is_no_number_and_a_wrench_has_no_common_factor() -> None:
     """The 3-RPS limb as its authors write it, with its slider displaced; sqrt(3) = 0 is no condition."""
     found = {f.name: f.latex for f in paper("rps").formulas}
     assert found[r"\boldsymbol{V}_{11}"] == (
-        r"\begin{pmatrix} 0 \\ l \\ 0 \\ - H \left(l + d_{12}\right) \\ 0 \\ "
-        r"l r + d_{12} \left(- R + r\right) \end{pmatrix}"
+        r"\begin{pmatrix} 0 \\ l \\ 0 \\ - H \left(d_{12} + l\right) \\ 0 \\ "
+        r"d_{12} \left(- R + r\right) + l r \end{pmatrix}"
     )
     assert [f.latex for f in paper("rps").formulas if f.code[:1] == ("locus",)] == ["r"]
 
