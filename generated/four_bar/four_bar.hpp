@@ -5,9 +5,8 @@
  * Programs: 52517b220c5a46e1
  * Note: independent coordinates y: A
  * Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
- * Note: overconstrained: 3 internal loads are undetermined and take the minimum-norm values (moments
- *   divided by the characteristic length 0.301689 m); not unique: C.fy, C.mx, C.mz, B.fy, B.mx, B.mz,
- *   D.fy, D.mx, D.mz, A.fy, A.mx, A.mz
+ * Note: overconstrained: 3 internal loads undetermined, minimum-norm values are taken (moments divided
+ *   by the characteristic length 0.301689 m); not unique: fy, mx, mz of C, B, D, A
  */
 #ifndef FOUR_BAR_HPP
 #define FOUR_BAR_HPP

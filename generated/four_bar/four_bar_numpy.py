@@ -5,9 +5,8 @@ Effects: Gravity(acceleration=(0, 0, '-9.81'))
 Programs: 176356ac92aa5621
 Note: independent coordinates y: A
 Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
-Note: overconstrained: 3 internal loads are undetermined and take the minimum-norm values (moments
-  divided by the characteristic length 0.301689 m); not unique: C.fy, C.mx, C.mz, B.fy, B.mx, B.mz,
-  D.fy, D.mx, D.mz, A.fy, A.mx, A.mz
+Note: overconstrained: 3 internal loads undetermined, minimum-norm values are taken (moments divided
+  by the characteristic length 0.301689 m); not unique: fy, mx, mz of C, B, D, A
 
 Each function takes arrays (*batch, size) and returns (outputs, status): a tuple of arrays (*batch,
 size), matrices column by column, and the status (*batch). Outputs are NaN where the status is not
@@ -1415,9 +1414,8 @@ def joint_reactions(*arguments):
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
     Operations: 248 (add 100, mul 130, div 3, trig 6, compare 9)
-    Note: overconstrained: 3 internal loads are undetermined and take the minimum-norm values (moments
-      divided by the characteristic length 0.301689 m); not unique: C.fy, C.mx, C.mz, B.fy, B.mx, B.mz,
-      D.fy, D.mx, D.mz, A.fy, A.mx, A.mz
+    Note: overconstrained: 3 internal loads undetermined, minimum-norm values are taken (moments divided
+      by the characteristic length 0.301689 m); not unique: fy, mx, mz of C, B, D, A
     """
     entries, batch = _entries("joint_reactions", {"q": 3, "v": 3, "a": 3}, arguments)
     (
@@ -2223,9 +2221,8 @@ def forward_dynamics_reactions(*arguments):
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
     Operations where no pivot is small: 315 (add 126, mul 165, div 5, trig 6, compare 13)
-    Note: overconstrained: 3 internal loads are undetermined and take the minimum-norm values (moments
-      divided by the characteristic length 0.301689 m); not unique: C.fy, C.mx, C.mz, B.fy, B.mx, B.mz,
-      D.fy, D.mx, D.mz, A.fy, A.mx, A.mz
+    Note: overconstrained: 3 internal loads undetermined, minimum-norm values are taken (moments divided
+      by the characteristic length 0.301689 m); not unique: fy, mx, mz of C, B, D, A
     """
     settings = ((1.0, 1.0, 1.0,), (per_length, per_length, per_length, 1.0, 1.0,), 2, 1.0e-09)
     return _rank_revealing(_forward_dynamics_reactions_first, _forward_dynamics_reactions_dense,

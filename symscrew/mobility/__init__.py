@@ -67,7 +67,6 @@ if TYPE_CHECKING:
         mobility_text,
         mobility_values,
         sections,
-        signs_ahead,
     )
     from symscrew.mobility.finite import ClosureVariety, moved
     from symscrew.mobility.instantaneous import BodyFreedoms, LimbMobility
@@ -176,7 +175,6 @@ __all__ = [
     "sampled_modes",
     "screw_class",
     "sections",
-    "signs_ahead",
     "space_lines",
     "space_values",
     "targets_of",

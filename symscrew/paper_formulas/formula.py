@@ -7,8 +7,6 @@ from dataclasses import dataclass, field
 
 import sympy
 
-from symscrew.mobility import signs_ahead
-
 DIGITS = 12  # of a number that is no short fraction or root: more than a page has, fewer than rounding leaves
 DEGREE = 57.29577951308232  # of a radian
 WHOLE = 1e-6  # of a degree by which an angle may be off a whole number: rounding of doubles
@@ -47,7 +45,7 @@ class Part:
 
 def latex_of(expression: sympy.Expr, names: Mapping[sympy.Symbol, str]) -> str:
     """LaTeX of an expression; numbers of many digits as decimals."""
-    shown = signs_ahead(expression)
+    shown = expression
     numbers = {n: _decimal(n) for n in _numbers(shown) if len(str(n)) > LONG_NUMBER}
     return str(sympy.latex(shown.xreplace(numbers), symbol_names=dict(names), fold_short_frac=False, full_prec=False))
 

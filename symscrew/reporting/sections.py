@@ -181,7 +181,20 @@ def _mobility(found: Mobility) -> list[Section]:
         if title.startswith("How far from"):
             continue  # the section on singularities has them
         result.append(Section("In words" if title == "Mobility" else title, (Bullets(tuple(lines)),), level=3))
-    return result
+    return [*result, Section("To check and to cite", (Bullets(SOURCES),), level=3)]
+
+
+SOURCES = (
+    "What is proved: symscrew mobility NAME --proof FILE writes it as exact numbers, and a checker that needs Python "
+    "alone judges it: python -m symscrew.mobility.proofs.proof_checker FILE",
+    "Screws at O, reciprocal wrenches, momentum screws: J.-S. Zhao, X.-C. Sun, S.-T. Wei, Machines 11(8) (2023) 840",
+    "Classes of screw systems: C. G. Gibson, K. H. Hunt, Mech. Mach. Theory 25 (1990) 1-27",
+    "Singularities: C. Gosselin, J. Angeles, IEEE Trans. Robotics Autom. 6 (1990) 281-290; of constraints D. Zlatanov, "
+    "I. Bonev, C. Gosselin, IEEE ICRA 2002, 496-502",
+    "Counts: G. Gogu, Structural Synthesis of Parallel Robots 1 (2008); Z. Huang, Q. Li, H. Ding, Theory of Parallel "
+    "Mechanisms (2013); K. J. Waldron, J. Mechanisms 1 (1966) 191-212",
+)
+"""How the section is checked without this package's judgement, and the literature of its words."""
 
 
 # -- screws -----------------------------------------------------------------------------------------------

@@ -17,7 +17,7 @@ from support.recorded_motion import recorded
 from support.samples import some_quickly
 
 from symscrew.cli.parser import main
-from symscrew.description import toml_file
+from symscrew.description import MechanismBuilder, toml_file
 from symscrew.display import film, show_page
 from symscrew.display.view import page_data
 from symscrew.display.view.motion_file import read_motion
@@ -401,3 +401,13 @@ def test_a_run_under_effects_that_keep_another_joint_is_shown(tmp_path: Path) ->
     assert main(["simulate", str(scene), "--out", str(run)]) == 0
     assert "C" in read_motion(run).q_labels
     assert main(["view", str(run), "--out", str(page)]) == 0 and '"C"' in page.read_text()
+
+
+def test_sliders_of_a_free_body_say_their_axes() -> None:
+    """Of a free joint that was described, too, as of the one on which a platform hangs."""
+    builder = MechanismBuilder("flyer").body("trunk", mass=1, com=[0, 0, 1], inertia=[1, 1, 1])
+    builder.body("foot", mass=1, com=[0, 0, "1/2"], inertia=[1, 1, 1])
+    builder.joint("flight", "free", parent="base", child="trunk", point=[0, 0, 1])
+    builder.joint("leg", "P", parent="trunk", child="foot", point=[0, 0, 1], axes=[[0, 0, 1]], driven=True)
+    sliders = page_scene(derive(builder.build()))["independent"]
+    assert [entry["axis"] for entry in sliders] == ["x", "y", "z", "x", "y", "z", None]

@@ -348,7 +348,7 @@ def test_what_follows_from_other_lengths_is_named() -> None:
     assert found[r"\cos \varphi_{11}"] == r"\frac{\mathrm{depth}}{\mathrm{rod}}"
     assert found[r"\boldsymbol{S}_{11}"].split()[1::2] == ["0", "1", "0", "0", "0", r"\mathrm{reach}"]
     assert found[r"\boldsymbol{S}_{1}"].startswith(r"\boldsymbol{Z}(330^{\circ})")
-    lengths = made.parts[0].symbols
+    lengths = next(part.symbols for part in made.parts if part.title == "Lengths")
     assert len(lengths) == 5 and not any("kg" in words for words in lengths.values())
 
 
@@ -392,8 +392,8 @@ def test_a_locus_is_no_number_and_a_wrench_has_no_common_factor() -> None:
     """The 3-RPS limb as its authors write it, with its slider displaced; sqrt(3) = 0 is no condition."""
     found = {f.name: f.latex for f in paper("rps").formulas}
     assert found[r"\boldsymbol{V}_{11}"] == (
-        r"\begin{pmatrix} 0 \\ l \\ 0 \\ - H \left(l + d_{12}\right) \\ 0 \\ "
-        r"l r + d_{12} \left(- R + r\right) \end{pmatrix}"
+        r"\begin{pmatrix} 0 \\ l \\ 0 \\ - H \left(d_{12} + l\right) \\ 0 \\ "
+        r"d_{12} \left(- R + r\right) + l r \end{pmatrix}"
     )
     assert [f.latex for f in paper("rps").formulas if f.code[:1] == ("locus",)] == ["r"]
 

@@ -929,7 +929,7 @@ def check_certificate(values: Any) -> Verdict:
     proved: list[str] = []
     refused: list[str] = []
     for key, value in claims.items():
-        text = f"{key} {json.dumps(value)}"
+        text = f"{key} {_claim(value)}"
         (proved if _carried(facts.get(key), value) else refused).append(text)
     if proved:  # the limits hold in the boxes that a claim is about
         proved += [text for condition in equations.conditions for text in condition.limits_in_words()]
@@ -970,6 +970,13 @@ def _called(mechanism: Any) -> str:
     """The name of a mechanism and what its description hashes to."""
     name, text = str(mechanism["name"]), mechanism.get("toml")
     return name if text is None else f"{name} (description {digest(str(text))[:SHOWN]})"
+
+
+def _claim(value: Any) -> str:
+    """What is claimed in words, with all digits: rounded it could be more than is proved."""
+    if isinstance(value, dict):
+        return ", ".join(f"{name} {json.dumps(number)}" for name, number in value.items())
+    return "yes" if value is True else json.dumps(value)
 
 
 def _carried(fact: Any, claim: Any) -> bool:

@@ -120,12 +120,17 @@ def _without_noise(own: Mapping[str, Any], found: Mapping[str, Any]) -> list[flo
 
     Of forces beside the weight as well: those of a mechanism that carries none are all rounding.
     """
-    same = [r for r in found["ranges"].values() if r["unit"] == own["unit"]]
-    size = max(abs(r[key]) for r in same for key in ("least", "largest"))
-    size = max(size, found.get("weight", 0.0)) if own["unit"] == "N" else size
+    size = _size(own["unit"], found)
     least, largest = (own[key] if abs(own[key]) > NOISE * size else 0.0 for key in ("least", "largest"))
     span = largest - least
     return [least, largest, span if span > NOISE * max(abs(least), abs(largest)) else 0.0]
+
+
+def _size(unit: str, found: Mapping[str, Any]) -> float:
+    """The largest value of a unit, of forces the weight if that is more."""
+    same = [r for r in found["ranges"].values() if r["unit"] == unit]
+    size = max((abs(r[key]) for r in same for key in ("least", "largest")), default=0.0)
+    return max(size, found.get("weight", 0.0)) if unit == "N" else size
 
 
 def _axis(name: str, ends: Sequence[float], unit: str) -> str:
@@ -158,10 +163,11 @@ def sweep_summary_text(found: Mapping[str, Any]) -> str:
         ]
         lines += ["", fitting_table(("over the allowed cases", "least", "largest", "span", "unit"), rows)]
     if "tolerance" in found:
-        rows = [
-            [name, *(f"{r[key]:.4g}" for key in ("deviation", "5", "95")), r["unit"]]
-            for name, r in found["tolerance"].items()
-        ]
+        rows = []
+        for name, r in found["tolerance"].items():
+            noise = NOISE * _size(r["unit"], found)
+            numbers = (r[key] if abs(r[key]) > noise else 0.0 for key in ("deviation", "5", "95"))
+            rows.append([name, *(f"{number:.4g}" for number in numbers), r["unit"]])
         lines += [
             "",
             fitting_table(("about the mean of the samples", "standard deviation", "5 %", "95 %", "unit"), rows),
