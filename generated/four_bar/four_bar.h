@@ -5,9 +5,8 @@
  * Programs: 52517b220c5a46e1
  * Note: independent coordinates y: A
  * Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
- * Note: overconstrained: 3 internal loads are undetermined and take the minimum-norm values (moments
- *   divided by the characteristic length 0.301689 m); not unique: C.fy, C.mx, C.mz, B.fy, B.mx, B.mz,
- *   D.fy, D.mx, D.mz, A.fy, A.mx, A.mz
+ * Note: overconstrained: 3 internal loads undetermined, minimum-norm values are taken (moments divided
+ *   by the characteristic length 0.301689 m); not unique: fy, mx, mz of C, B, D, A
  *
  * On failure all outputs are NaN. Do not compile with -ffinite-math-only or -ffast-math: the checks for NaN would
  * vanish.
@@ -339,9 +338,8 @@ int four_bar_inverse_dynamics_independent_batch_soa(size_t count, size_t stride,
  *   out u[1] [N m]: drive forces and torques (A)
  *   out reactions[24] (6x4, column by column): wrench (f ; m_O) from parent on child without the drive's share
  *   Returns 0, 1, 2; operations: 232 (add 91, mul 123, div 3, trig 6, compare 9)
- *   Note: overconstrained: 3 internal loads are undetermined and take the minimum-norm values (moments divided by the
- *     characteristic length 0.301689 m); not unique: C.fy, C.mx, C.mz, B.fy, B.mx, B.mz, D.fy, D.mx, D.mz, A.fy, A.mx,
- *     A.mz */
+ *   Note: overconstrained: 3 internal loads undetermined, minimum-norm values are taken (moments divided by the
+ *     characteristic length 0.301689 m); not unique: fy, mx, mz of C, B, D, A */
 int four_bar_joint_reactions(const double *q, const double *v, const double *a, double *u, double *reactions);
 int four_bar_joint_reactions_batch(size_t count, const double *q, const double *v, const double *a, double *u,
     double *reactions, int *status);
@@ -376,9 +374,8 @@ int four_bar_forward_dynamics_independent_batch_soa(size_t count, size_t stride,
  *   out a[3] [rad/s^2]: accelerations of the tree (rates of v)
  *   out reactions[24] (6x4, column by column): wrench (f ; m_O) from parent on child without the drive's share
  *   Returns -2, -1, 0, 1, 2; operations where no pivot is small: 294 (add 115, mul 155, div 5, trig 6, compare 13)
- *   Note: overconstrained: 3 internal loads are undetermined and take the minimum-norm values (moments divided by the
- *     characteristic length 0.301689 m); not unique: C.fy, C.mx, C.mz, B.fy, B.mx, B.mz, D.fy, D.mx, D.mz, A.fy, A.mx,
- *     A.mz */
+ *   Note: overconstrained: 3 internal loads undetermined, minimum-norm values are taken (moments divided by the
+ *     characteristic length 0.301689 m); not unique: fy, mx, mz of C, B, D, A */
 int four_bar_forward_dynamics_reactions(const double *q, const double *v, const double *u, double *a,
     double *reactions);
 int four_bar_forward_dynamics_reactions_batch(size_t count, const double *q, const double *v, const double *u,

@@ -76,20 +76,18 @@ BODY(four_bar_closure_bias)(size_t stride, const double *restrict q, const doubl
 {
     (void)q;
     /* D: accelerations */
-    const REAL D_v = READ(v, 2), t3 = k6 * (D_v * D_v), /* rocker */
-      t4 = SINES(cosine, 2) * t3, /* rocker */
-      t6 = SINES(sine, 2) * t3, /* rocker */
+    const REAL D_v = READ(v, 2), t4 = k6 * (D_v * D_v), /* rocker */
+      t5 = SINES(cosine, 2) * t4, /* rocker */
+      t7 = SINES(sine, 2) * t4, /* rocker */
       crank_cos = SINES(cosine, 0), crank_sin = SINES(sine, 0);
     /* C: loop closure */
-    const REAL t10 = crank_sin * t4, t8 = crank_cos * t4 - crank_sin * t6, t12 = t10 + crank_cos * t6,
-      coupler_sin = SINES(sine, 1), coupler_cos = SINES(cosine, 1), A_v = READ(v, 0),
-      t20 = coupler_sin * t8 + coupler_cos * t12, t14 = coupler_cos * t8 - coupler_sin * t12,
-      t15 = B_at_z * (A_v * A_v), /* crank */
-      C_opening_bias_fy = coupler_sin * t15 - t20;
+    const REAL t14 = crank_cos * t5 - crank_sin * t7, t9 = crank_sin * t5 + crank_cos * t7, A_v = READ(v, 0),
+      t15 = B_at_z * (A_v * A_v) - t14, coupler_sin = SINES(sine, 1), coupler_cos = SINES(cosine, 1),
+      t16 = coupler_cos * t15, C_opening_bias_fy = coupler_sin * t15 - coupler_cos * t9;
     WRITE(bias, 1, C_opening_bias_fy);
     REAL checked0 = C_opening_bias_fy;
-    const REAL minus_coupler_acc_still_x = coupler_cos * t15, coupler_omega_z = A_v + READ(v, 1),
-      C_opening_bias_fx = t14 - (minus_coupler_acc_still_x + 0.5 * (coupler_omega_z * coupler_omega_z));
+    const REAL t17 = coupler_sin * t9 + t16, coupler_omega_z = A_v + READ(v, 1),
+      C_opening_bias_fx = (-0.5) * (coupler_omega_z * coupler_omega_z) - t17;
     WRITE(bias, 0, C_opening_bias_fx);
     REAL checked1 = C_opening_bias_fx;
     WRITE(bias, 2, CONSTANT(0.0));
@@ -117,10 +115,9 @@ BODY(four_bar_velocity)(size_t stride, const double *restrict q, const double *r
     const REAL C_closure_fy_by_D = t7 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz,
       D_joint_rate = B_at_z * coupler_sin * A_y_dot / minus_C_closure_fx_by_D;
     WRITE(v, 2, D_joint_rate);
-    const REAL minus_B_joint_rate = 2.0 * ((0.5 + B_at_z * coupler_cos) * A_y_dot + C_closure_fy_by_D *
-        D_joint_rate);
-    REAL checked1 = minus_B_joint_rate;
-    WRITE(v, 1, -minus_B_joint_rate);
+    const REAL B_joint_rate = (-2.0) * ((0.5 + B_at_z * coupler_cos) * A_y_dot + C_closure_fy_by_D * D_joint_rate);
+    WRITE(v, 1, B_joint_rate);
+    REAL checked1 = B_joint_rate;
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
         SMALL(minus_C_closure_fx_by_D, 3.01689e-10), /* where D does not move the loop at C */
         checked0 + checked1);
@@ -143,9 +140,9 @@ BODY(four_bar_null_space)(size_t stride, const double *restrict q, double *restr
     const REAL C_closure_fy_by_D = t6 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz,
       D_null_space_by_A = B_at_z * coupler_sin / minus_C_closure_fx_by_D;
     WRITE(null_space, 2, D_null_space_by_A);
-    const REAL minus_B_null_space_by_A = 2.0 * (0.5 + B_at_z * coupler_cos + C_closure_fy_by_D * D_null_space_by_A);
-    REAL checked1 = minus_B_null_space_by_A;
-    WRITE(null_space, 1, -minus_B_null_space_by_A);
+    const REAL B_null_space_by_A = (-2.0) * (0.5 + B_at_z * coupler_cos + C_closure_fy_by_D * D_null_space_by_A);
+    WRITE(null_space, 1, B_null_space_by_A);
+    REAL checked1 = B_null_space_by_A;
     WRITE(null_space, 0, CONSTANT(1.0));
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
         SMALL(minus_C_closure_fx_by_D, 3.01689e-10), /* where D does not move the loop at C */
@@ -158,35 +155,30 @@ BODY(four_bar_acceleration)(size_t stride, const double *restrict q, const doubl
 {
     (void)q;
     /* D: accelerations */
-    const REAL D_v = READ(v, 2), t4 = k6 * (D_v * D_v), /* rocker */
-      rocker_cos = SINES(cosine, 2), t5 = rocker_cos * t4, /* rocker */
-      minus_rocker_sin = SINES(sine, 2), t7 = minus_rocker_sin * t4, /* rocker */
-      crank_cos = SINES(cosine, 0), crank_sin = SINES(sine, 0), t11 = crank_sin * t5, /* C */
-      t9 = crank_cos * t5 - crank_sin * t7, /* C */
-      t13 = t11 + crank_cos * t7, /* C */
-      coupler_cos = SINES(cosine, 1), coupler_sin = SINES(sine, 1), A_v = READ(v, 0),
-      t27 = coupler_cos * t9 - coupler_sin * t13, /* C */
-      t15 = coupler_sin * t9 + coupler_cos * t13, /* C */
-      t2 = B_at_z * (A_v * A_v), /* crank */
-      minus_coupler_acc_still_x = coupler_cos * t2, C_opening_bias_fy = coupler_sin * t2 - t15,
-      coupler_omega_z = A_v + READ(v, 1), A_y_ddot = READ(y_ddot, 0);
+    const REAL D_v = READ(v, 2), t11 = k6 * (D_v * D_v), /* rocker */
+      rocker_cos = SINES(cosine, 2), t12 = rocker_cos * t11, /* rocker */
+      minus_rocker_sin = SINES(sine, 2), t14 = minus_rocker_sin * t11, /* rocker */
+      crank_cos = SINES(cosine, 0), crank_sin = SINES(sine, 0), t16 = crank_cos * t12 - crank_sin * t14,
+      t21 = crank_sin * t12 + crank_cos * t14, A_v = READ(v, 0), t17 = B_at_z * (A_v * A_v) - t16,
+      coupler_cos = SINES(cosine, 1), coupler_sin = SINES(sine, 1), A_y_ddot = READ(y_ddot, 0);
     WRITE(a, 0, A_y_ddot);
-    const REAL C_opening_bias_fx = t27 - (minus_coupler_acc_still_x + 0.5 * (coupler_omega_z * coupler_omega_z)),
-      t31 = C_opening_bias_fx + B_at_z * coupler_sin * A_y_ddot,
+    const REAL t25 = coupler_cos * t17 + coupler_sin * (t21 - B_at_z * A_y_ddot),
+      t34 = coupler_cos * t21 - coupler_sin * t17, /* B */
+      coupler_omega_z = A_v + READ(v, 1), t26 = 0.5 * (coupler_omega_z * coupler_omega_z) + t25,
       coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin,
       minus_rocker_joint_force_my_by_C_fz = k6 * rocker_cos,
-      t32 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz, /* C */
+      t27 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz, /* C */
       minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos,
-      t21 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz, /* C */
+      t5 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz, /* C */
       minus_rocker_joint_force_mx_by_C_fz = k6 * minus_rocker_sin,
-      minus_C_closure_fx_by_D = t32 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz;
+      minus_C_closure_fx_by_D = t27 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz;
     REAL checked0 = minus_C_closure_fx_by_D;
-    const REAL D_joint_acc = t31 / minus_C_closure_fx_by_D;
-    WRITE(a, 2, D_joint_acc);
-    const REAL t34 = (t21 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz) * D_joint_acc, /* B */
-      minus_B_joint_acc = 2.0 * (C_opening_bias_fy + (0.5 + B_at_z * coupler_cos) * A_y_ddot + t34);
-    REAL checked1 = minus_B_joint_acc;
-    WRITE(a, 1, -minus_B_joint_acc);
+    const REAL minus_D_joint_acc = t26 / minus_C_closure_fx_by_D,
+      t29 = (t5 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz) * minus_D_joint_acc; /* B */
+    WRITE(a, 2, -minus_D_joint_acc);
+    const REAL B_joint_acc = 2.0 * (t29 - ((0.5 + B_at_z * coupler_cos) * A_y_ddot - t34));
+    WRITE(a, 1, B_joint_acc);
+    REAL checked1 = B_joint_acc;
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
         SMALL(minus_C_closure_fx_by_D, 3.01689e-10), /* where D does not move the loop at C */
         checked0 + checked1);
@@ -374,7 +366,7 @@ BODY(four_bar_assemble_step)(size_t stride, const double *restrict q, const doub
       coupler_sin = SINES(sine, 1), coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin,
       t6 = B_at_z * crank_sin + 0.5 * coupler_rotation_xx, /* coupler */
       minus_rocker_joint_force_mx_by_C_fz = k6 * SINES(sine, 2);
-    /* C: loop closure */
+    /* C: loop closure; results */
     const REAL t9 = t6 - (D_at_x - minus_rocker_joint_force_mx_by_C_fz), t10 = coupler_rotation_xx * t9,
       minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos,
       t26 = minus_coupler_rotation_xy * t9,
@@ -384,13 +376,12 @@ BODY(four_bar_assemble_step)(size_t stride, const double *restrict q, const doub
       t17 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz,
       t28 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz,
       minus_C_closure_fx_by_D = t17 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz,
-      C_closure_fy_by_D = t28 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz;
-    /* C: results */
-    const REAL t19 = 1.0 / minus_C_closure_fx_by_D, t53 = 0.5 * minus_C_closure_fx_by_D;
-    REAL checked0 = t53;
-    WRITE(orientation_, 0, -t53);
-    const REAL t20 = C_opening_fx * t19, t48 = per_length * C_opening_fx, t49 = t48 * t48,
-      t31 = minus_C_opening_fy - C_closure_fy_by_D * t20, t50 = per_length * minus_C_opening_fy,
+      C_closure_fy_by_D = t28 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz,
+      orientation_orientation = (-0.5) * minus_C_closure_fx_by_D;
+    WRITE(orientation_, 0, orientation_orientation);
+    REAL checked0 = orientation_orientation;
+    const REAL t19 = 1.0 / minus_C_closure_fx_by_D, t20 = C_opening_fx * t19, t48 = per_length * C_opening_fx,
+      t49 = t48 * t48, t31 = minus_C_opening_fy - C_closure_fy_by_D * t20, t50 = per_length * minus_C_opening_fy,
       residual_residual = SQRT(t49 + t50 * t50);
     WRITE(residual_, 0, residual_residual);
     REAL checked1 = residual_residual;

@@ -2,7 +2,7 @@
 
 Mechanism: four_bar, planar crank-rocker, one driven crank
 Effects: Gravity(acceleration=(0, 0, '-9.81'))
-Programs: 176356ac92aa5621
+Programs: 52517b220c5a46e1
 Note: independent coordinates y: A
 Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
 Note: overconstrained: 3 internal loads undetermined, minimum-norm values are taken (moments divided
@@ -27,8 +27,8 @@ B_at_z = 0.15  # [m] point, absolute axes, of B, also offset_x of coupler: 3/20
 D_at_x = 0.64  # [m] point, absolute axes, of D, also offset_x of rocker: 16/25
 coupler_Iyy = 0.025  # [kg m^2] inertia, absolute axes, of coupler: 1/40
 coupler_com_x = 0.2  # [m] centre of mass, absolute axes, of coupler, also at_x of coupler_middle: 1/5
-coupler_phase = 0.9272952180016122  # [rad] what is added to the coordinate of coupler: atan2(C_at_x / crank_m, k7 /
-#      crank_m)
+coupler_phase = 0.9272952180016122  # [rad] what is added to the coordinate of coupler: atan2(C_at_x / crank_m, k11
+#      / crank_m)
 coupler_sxx = 0.1  # [kg m^2] second moment (sum of m r r), link axes, of coupler
 crank_Ixx = 0.0009375  # [kg m^2] inertia, absolute axes, of crank, also Iyy of crank: 3/3200
 crank_com_z = 0.075  # [m] centre of mass, absolute axes, of crank: 3/40
@@ -42,7 +42,6 @@ per_length_B_at_z = 0.4972007597227609  # [1] per_length * B_at_z
 per_length_crank_m = 1.6573358657425363  # [1/m] per_length * 0.5; also [kg/m] per_length * crank_m
 per_length_squared = 10.987048687506249  # [1/m^2] 1 over the square of the characteristic length
 rocker_Iyy = 0.02601  # [kg m^2] inertia, absolute axes, of rocker: 2601/100000
-rocker_com_x = 0.52  # [m] centre of mass, absolute axes, of rocker: 13/25
 rocker_com_z = 0.225  # [m] centre of mass, absolute axes, of rocker: 9/40
 rocker_m = 1.2  # [kg] mass of rocker, coupler: 6/5
 rocker_m_gravity_z = 11.772  # [N] rocker_m * gravity_z
@@ -53,38 +52,43 @@ rocker_phase = 0.4899573262537283  # [rad] what is added to the coordinate of ro
 rocker_sxx = 0.10404  # [kg m^2] second moment (sum of m r r), link axes, of rocker: rocker_Iyy + rocker_mx *
 #      (0.05647058823529412 + 0.19852941176470587)
 k1 = 0.8  # [m/kg] C_at_x / crank_m; also [m] 2 * C_at_x
-k2 = 0.6  # k7 / crank_m
+k2 = 0.6  # k11 / crank_m
 k3 = 0.47058823529411764  # [1] (D_at_x - C_at_x) / sqrt(0.2601)
 k4 = 0.8823529411764706  # [1] C_at_z / sqrt(0.2601)
-k5 = 0.25  # [m^2] C_at_x * C_at_x + k7 * k7
+k5 = 0.25  # [m^2] C_at_x * C_at_x + k11 * k11
 k6 = 0.51  # [m] sqrt(0.24 * 0.24 + C_at_z * C_at_z)
-k7 = 0.3  # [m] centre of mass, absolute axes, of coupler, also at_z of coupler_middle: 3/10; also [kg m] first
+k7 = 0.12  # [m] D_at_x - rocker_com_x
+k8 = 0.03075  # [kg m^2] crank_sxx + 0.6 * k11 * B_at_z
+k9 = 0.09  # k11 * k11
+k10 = 0.18  # k11 / crank_m * k11
+k11 = 0.3  # [m] centre of mass, absolute axes, of coupler, also at_z of coupler_middle: 3/10; also [kg m] first
 #      moment, link axes, of coupler
-k8 = 0.03075  # [kg m^2] crank_sxx + 0.6 * k7 * B_at_z
-k9 = 0.18  # k7 / crank_m * k7
-k10 = 0.09  # k7 * k7
-k11 = 0.045  # B_at_z * k7
-k12 = 2.133675  # 0.2175 * gravity_z
-k13 = 1.690482583057387  # [1] per_length * sqrt(0.0576 + 0.2025)
-k14 = 0.2725  # [m^2] B_at_z * B_at_z + C_at_x * C_at_x + k7 * k7
-k15 = 3.3333333333333335  # [1/m] crank_com_z / (B_at_z * B_at_z)
-k16 = 0.005625  # [m^4] B_at_z * B_at_z * (C_at_x * C_at_x + k7 * k7)
-k17 = 6.666666666666667  # [1/m] 1 / B_at_z
-k18 = 8.0  # k7 / crank_m * 44.44444444444444 * crank_com_z / 0.25
-k19 = 5.333333333333333  # [1/kg] C_at_x / crank_m / B_at_z; also [1] 2 * C_at_x / B_at_z
-k20 = 10.666666666666666  # [1/(kg m^2)] C_at_x / crank_m * 44.44444444444444 * crank_com_z / 0.25; also [1/m^2] 2 *
+k12 = 0.13075  # [kg m^2] coupler_sxx + 0.03075
+k13 = 0.045  # B_at_z * k11
+k14 = 2.133675  # 0.2175 * gravity_z
+k15 = 1.690482583057387  # [1] per_length * sqrt(0.0576 + 0.2025)
+k16 = 0.2725  # [m^2] B_at_z * B_at_z + C_at_x * C_at_x + k11 * k11
+k17 = 3.3333333333333335  # [1/m] crank_com_z / (B_at_z * B_at_z)
+k18 = 0.005625  # [m^4] B_at_z * B_at_z * (C_at_x * C_at_x + k11 * k11)
+k19 = 6.666666666666667  # [1/m] 1 / B_at_z
+k20 = 8.0  # k11 / crank_m * 44.44444444444444 * crank_com_z / 0.25
+k21 = 5.333333333333333  # [1/kg] C_at_x / crank_m / B_at_z; also [1] 2 * C_at_x / B_at_z
+k22 = 10.666666666666666  # [1/(kg m^2)] C_at_x / crank_m * 44.44444444444444 * crank_com_z / 0.25; also [1/m^2] 2 *
 #      C_at_x * 44.44444444444444 * crank_com_z / 0.25; also [1/kg] C_at_x / crank_m * 4 * 44.44444444444444 *
 #      crank_com_z; also [1] 2 * C_at_x * 4 * 44.44444444444444 * crank_com_z
-k21 = 13.333333333333334  # [1/m^3] crank_com_z / 0.0225 / (0.16 + 0.09); also [1/m] 4 * crank_com_z / 0.0225
-k22 = 0.2275  # of the mechanism
-k23 = 0.8240286515629687  # [1/m] per_length * 0.5 * per_length * B_at_z; also [kg/m] per_length * crank_m *
+k23 = 13.333333333333334  # [1/m^3] crank_com_z / 0.0225 / (0.16 + 0.09); also [1/m] 4 * crank_com_z / 0.0225
+k24 = 0.2275  # of the mechanism
+k25 = 0.8240286515629687  # [1/m] per_length * 0.5 * per_length * B_at_z; also [kg/m] per_length * crank_m *
 #      per_length * B_at_z
-k24 = 5.4935243437531245  # [1/m^2] per_length * 0.5 * per_length; also [kg/m^2] per_length * crank_m * per_length
+k26 = 5.4935243437531245  # [1/m^2] per_length * 0.5 * per_length; also [kg/m^2] per_length * crank_m * per_length
+k27 = 2.8016974153140937  # [1/m] per_length * 0.5 * per_length * sqrt(0.0576 + 0.2025); also [kg/m] per_length *
+#      crank_m * per_length * sqrt(0.0576 + 0.2025)
 # They are made of these, too, which no statement reads:
 # C_at_x = 0.4 [m] point, absolute axes, of C: 2/5
 # C_at_z = 0.45 [m] point, absolute axes, of C: 9/20
-# crank_m = 0.5 [kg] mass of crank; also [m] sqrt(C_at_x * C_at_x + k7 * k7)
+# crank_m = 0.5 [kg] mass of crank; also [m] sqrt(C_at_x * C_at_x + k11 * k11)
 # crank_sxx = 0.00375 [kg m^2] second moment (sum of m r r), link axes, of crank: crank_Ixx + crank_mx * crank_com_z
+# rocker_com_x = 0.52 [m] centre of mass, absolute axes, of rocker: 13/25
 
 
 def _real(argument):
@@ -262,7 +266,7 @@ def body_poses(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 41 (add 18, mul 16, trig 6, compare 1)
+    Operations: 40 (add 17, mul 16, trig 6, compare 1)
     """
     entries, batch = _entries("body_poses", {"q": 3}, arguments)
     (
@@ -295,15 +299,14 @@ def body_poses(*arguments):
         rocker_poses_Rzx = k4 * minus_rocker_sin - k3 * rocker_cos
         rocker_poses_Rxz = -rocker_poses_Rzx
         rocker_poses_x = D_at_x - D_at_x * rocker_poses_Rxx
-        t18 = D_at_x * rocker_poses_Rzx
-        rocker_poses_z = -t18
+        rocker_poses_z = (-D_at_x) * rocker_poses_Rzx
         guards = ()
         return _finish(batch, ((crank_cos, 0.0, minus_crank_sin, 0.0, 1.0, 0.0, crank_sin, 0.0,
             crank_cos, 0.0, 0.0, 0.0, coupler_poses_Rxx, 0.0, coupler_poses_Rzx, 0.0, 1.0, 0.0,
             coupler_poses_Rxz, 0.0, coupler_poses_Rxx, coupler_poses_x, 0.0, coupler_poses_z,
             rocker_poses_Rxx, 0.0, rocker_poses_Rzx, 0.0, 1.0, 0.0, rocker_poses_Rxz, 0.0,
             rocker_poses_Rxx, rocker_poses_x, 0.0, rocker_poses_z),), guards, (coupler_poses_x,
-            coupler_poses_z, rocker_poses_x, t18))
+            coupler_poses_z, rocker_poses_x, rocker_poses_z))
 
 
 def body_twists(*arguments):
@@ -323,7 +326,7 @@ def body_twists(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 15 (add 7, mul 5, trig 2, compare 1)
+    Operations: 14 (add 6, mul 5, trig 2, compare 1)
     """
     entries, batch = _entries("body_twists", {"q": 3, "v": 3}, arguments)
     (
@@ -332,15 +335,14 @@ def body_twists(*arguments):
     with np.errstate(all="ignore"):
         # coupler: velocities, eq. (6)
         coupler_omega_z = A_v + B_v
-        minus_coupler_twist_vx = B_v * (B_at_z * np.cos(A_q))
-        coupler_twist_vx = -minus_coupler_twist_vx
+        coupler_twist_vx = (-B_at_z) * np.cos(A_q) * B_v
         coupler_twist_vz = B_v * (B_at_z * np.sin(A_q))
         rocker_twist_vz = D_at_x * D_v
         guards = ()
         return _finish(batch, ((0.0, A_v, 0.0, 0.0, 0.0, 0.0, 0.0, coupler_omega_z, 0.0,
             coupler_twist_vx, 0.0, coupler_twist_vz, 0.0, D_v, 0.0, 0.0, 0.0, rocker_twist_vz),),
-            guards, (coupler_omega_z, minus_coupler_twist_vx, coupler_twist_vz, rocker_twist_vz,
-            B_q, D_q))
+            guards, (coupler_omega_z, coupler_twist_vx, coupler_twist_vz, rocker_twist_vz, B_q,
+            D_q))
 
 
 def body_twist_rates(*arguments):
@@ -588,7 +590,7 @@ def joint_displacements(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 4 (add 3, compare 1)
+    Operations: 3 (add 2, compare 1)
     """
     entries, batch = _entries("joint_displacements", {"q": 3}, arguments)
     (
@@ -596,10 +598,9 @@ def joint_displacements(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # C: results
-        t2 = B_q + (A_q - D_q)
-        C_displacements = -t2
+        C_displacements = D_q - A_q - B_q
         guards = ()
-        return _finish(batch, ((A_q, B_q, C_displacements, D_q),), guards, (t2,))
+        return _finish(batch, ((A_q, B_q, C_displacements, D_q),), guards, (C_displacements,))
 
 
 def joint_rates(*arguments):
@@ -746,34 +747,32 @@ def closure_bias(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 36 (add 11, mul 18, trig 6, compare 1)
+    Operations: 33 (add 10, mul 16, trig 6, compare 1)
     """
     entries, batch = _entries("closure_bias", {"q": 3, "v": 3}, arguments)
     (
         A_q, B_q, D_q, A_v, B_v, D_v,
     ) = entries
     with np.errstate(all="ignore"):
-        # B: geometry
-        t1 = coupler_phase + B_q
-        coupler_cos = np.cos(t1)
-        crank_cos = np.cos(A_q)
-        t2 = rocker_phase - D_q  # D
-        rocker_cos = np.cos(t2)
-        t3 = k6 * (D_v * D_v)  # rocker
-        t4 = rocker_cos * t3  # rocker
-        t5 = crank_cos * t4  # C
-        crank_sin = np.sin(A_q)
-        t6 = np.sin(t2) * t3  # rocker
-        t8 = t5 - crank_sin * t6  # C
-        t9 = coupler_cos * t8  # C
-        coupler_sin = np.sin(t1)
-        t12 = crank_sin * t4 + crank_cos * t6  # C
-        t14 = t9 - coupler_sin * t12  # C
-        t15 = B_at_z * (A_v * A_v)  # crank
-        minus_coupler_acc_still_x = coupler_cos * t15
+        # coupler: velocities, eq. (6); loop closure; geometry
         coupler_omega_z = A_v + B_v
-        C_opening_bias_fx = t14 - (minus_coupler_acc_still_x + 0.5 * (coupler_omega_z * coupler_omega_z))
-        C_opening_bias_fy = coupler_sin * t15 - (coupler_sin * t8 + coupler_cos * t12)
+        t1 = (-0.5) * (coupler_omega_z * coupler_omega_z)
+        t2 = coupler_phase + B_q  # B
+        coupler_sin = np.sin(t2)
+        crank_sin = np.sin(A_q)
+        t3 = rocker_phase - D_q  # D
+        rocker_cos = np.cos(t3)
+        t4 = k6 * (D_v * D_v)  # rocker
+        t5 = rocker_cos * t4  # rocker
+        t6 = crank_sin * t5  # C
+        crank_cos = np.cos(A_q)
+        t7 = np.sin(t3) * t4  # rocker
+        t9 = t6 + crank_cos * t7  # C
+        t10 = coupler_sin * t9  # C
+        coupler_cos = np.cos(t2)
+        t15 = B_at_z * (A_v * A_v) - (crank_cos * t5 - crank_sin * t7)  # C
+        C_opening_bias_fx = t1 - (t10 + coupler_cos * t15)
+        C_opening_bias_fy = coupler_sin * t15 - coupler_cos * t9
         guards = ()
         return _finish(batch, ((C_opening_bias_fx, C_opening_bias_fy, 0.0, 0.0, 0.0),), guards,
             (C_opening_bias_fx, C_opening_bias_fy))
@@ -793,7 +792,7 @@ def velocity(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 36 (add 10, mul 16, div 1, trig 6, compare 3)
+    Operations: 35 (add 9, mul 16, div 1, trig 6, compare 3)
     Note: independent coordinates y: A
     Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
     """
@@ -821,13 +820,12 @@ def velocity(*arguments):
         t12 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
         minus_C_closure_fx_by_D = t12 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
         D_joint_rate = t11 / minus_C_closure_fx_by_D
-        minus_B_joint_rate = 2.0 * (t3 + C_closure_fy_by_D * D_joint_rate)
-        B_joint_rate = -minus_B_joint_rate
+        B_joint_rate = (-2.0) * (t3 + C_closure_fy_by_D * D_joint_rate)
         guards = (  # status 1 where a pivot is smaller than its limit:
             (minus_C_closure_fx_by_D, 3.01689e-10),  # where D does not move the loop at C
         )
         return _finish(batch, ((A_y_dot, B_joint_rate, D_joint_rate),), guards,
-            (minus_C_closure_fx_by_D, minus_B_joint_rate))
+            (minus_C_closure_fx_by_D, B_joint_rate))
 
 
 def null_space(*arguments):
@@ -842,7 +840,7 @@ def null_space(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 34 (add 10, mul 14, div 1, trig 6, compare 3)
+    Operations: 33 (add 9, mul 14, div 1, trig 6, compare 3)
     Note: independent coordinates y: A
     Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
     """
@@ -870,13 +868,12 @@ def null_space(*arguments):
         t10 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
         minus_C_closure_fx_by_D = t10 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
         D_null_space_by_A = crank_lever_mz_by_C_fx / minus_C_closure_fx_by_D
-        minus_B_null_space_by_A = 2.0 * (crank_lever_mz_by_C_fy + C_closure_fy_by_D * D_null_space_by_A)
-        B_null_space_by_A = -minus_B_null_space_by_A
+        B_null_space_by_A = (-2.0) * (crank_lever_mz_by_C_fy + C_closure_fy_by_D * D_null_space_by_A)
         guards = (  # status 1 where a pivot is smaller than its limit:
             (minus_C_closure_fx_by_D, 3.01689e-10),  # where D does not move the loop at C
         )
         return _finish(batch, ((1.0, B_null_space_by_A, D_null_space_by_A),), guards,
-            (minus_C_closure_fx_by_D, minus_B_null_space_by_A))
+            (minus_C_closure_fx_by_D, B_null_space_by_A))
 
 
 def acceleration(*arguments):
@@ -895,7 +892,7 @@ def acceleration(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 64 (add 20, mul 34, div 1, trig 6, compare 3)
+    Operations: 60 (add 19, mul 31, div 1, trig 6, compare 3)
     Note: independent coordinates y: A
     Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
     """
@@ -904,47 +901,45 @@ def acceleration(*arguments):
         A_q, B_q, D_q, A_v, B_v, D_v, A_y_ddot,
     ) = entries
     with np.errstate(all="ignore"):
-        # B: geometry; accelerations
-        t1 = coupler_phase + B_q
-        coupler_sin = np.sin(t1)
-        t2 = B_at_z * (A_v * A_v)  # crank
-        coupler_acc_still_y = coupler_sin * t2
-        crank_cos = np.cos(A_q)
-        t3 = rocker_phase - D_q  # D
-        rocker_cos = np.cos(t3)
-        t4 = k6 * (D_v * D_v)  # rocker
-        t5 = rocker_cos * t4  # rocker
-        t6 = crank_cos * t5  # C
+        # crank: geometry; accelerations
         crank_sin = np.sin(A_q)
-        minus_rocker_sin = np.sin(t3)
-        t7 = minus_rocker_sin * t4  # rocker
-        t9 = t6 - crank_sin * t7  # C
-        t10 = coupler_sin * t9  # C
+        t1 = coupler_phase + B_q  # B
+        coupler_sin = np.sin(t1)
+        t2 = crank_sin * coupler_sin  # coupler
+        crank_cos = np.cos(A_q)
         coupler_cos = np.cos(t1)
-        t13 = crank_sin * t5 + crank_cos * t7  # C
-        C_opening_bias_fy = coupler_acc_still_y - (t10 + coupler_cos * t13)
-        t18 = C_opening_bias_fy + (0.5 + B_at_z * coupler_cos) * A_y_ddot
-        minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
+        minus_coupler_rotation_xy = t2 - crank_cos * coupler_cos
+        t4 = rocker_phase - D_q  # D
+        rocker_cos = np.cos(t4)
         minus_rocker_joint_force_my_by_C_fz = k6 * rocker_cos
-        t21 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
+        t5 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
+        minus_rocker_sin = np.sin(t4)
         minus_rocker_joint_force_mx_by_C_fz = k6 * minus_rocker_sin
-        C_closure_fy_by_D = t21 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
-        t27 = coupler_cos * t9 - coupler_sin * t13  # C
-        minus_coupler_acc_still_x = coupler_cos * t2
+        C_closure_fy_by_D = t5 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
         coupler_omega_z = A_v + B_v
-        C_opening_bias_fx = t27 - (minus_coupler_acc_still_x + 0.5 * (coupler_omega_z * coupler_omega_z))
-        t31 = C_opening_bias_fx + B_at_z * coupler_sin * A_y_ddot  # D
-        t32 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
-        minus_C_closure_fx_by_D = t32 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
-        D_joint_acc = t31 / minus_C_closure_fx_by_D
-        minus_B_joint_acc = 2.0 * (t18 + C_closure_fy_by_D * D_joint_acc)
-        B_joint_acc = -minus_B_joint_acc
+        t9 = 0.5 * (coupler_omega_z * coupler_omega_z)  # coupler
+        t10 = B_at_z * (A_v * A_v)
+        t11 = k6 * (D_v * D_v)  # rocker
+        t12 = rocker_cos * t11  # rocker
+        t13 = crank_cos * t12  # D
+        t14 = minus_rocker_sin * t11  # rocker
+        t17 = t10 - (t13 - crank_sin * t14)  # D
+        t18 = coupler_cos * t17  # D
+        t21 = crank_sin * t12 + crank_cos * t14  # D
+        t26 = t9 + (t18 + coupler_sin * (t21 - B_at_z * A_y_ddot))  # D
+        t27 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
+        minus_C_closure_fx_by_D = t27 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
+        minus_D_joint_acc = t26 / minus_C_closure_fx_by_D
+        t29 = C_closure_fy_by_D * minus_D_joint_acc  # B
+        t31 = (0.5 + B_at_z * coupler_cos) * A_y_ddot  # B
+        B_joint_acc = 2.0 * (t29 - (t31 - (coupler_cos * t21 - coupler_sin * t17)))
+        D_joint_acc = -minus_D_joint_acc
         guards = (  # status 1 where a pivot is smaller than its limit:
             (minus_C_closure_fx_by_D, 3.01689e-10),  # where D does not move the loop at C
         )
         return _finish(batch, ((A_y_ddot, B_joint_acc, D_joint_acc),), guards,
-            (minus_C_closure_fx_by_D, minus_B_joint_acc))
+            (minus_C_closure_fx_by_D, B_joint_acc))
 
 
 def momentum_screws(*arguments):
@@ -966,7 +961,7 @@ def momentum_screws(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 99 (add 41, mul 51, trig 6, compare 1)
+    Operations: 89 (add 35, mul 47, trig 6, compare 1)
     """
     entries, batch = _entries("momentum_screws", {"q": 3, "v": 3}, arguments)
     (
@@ -992,41 +987,38 @@ def momentum_screws(*arguments):
         coupler_sin = np.sin(t9)
         coupler_rotation_xx = t10 + crank_cos * coupler_sin
         # coupler: momentum, eq. (31); geometry; velocities, eq. (6)
-        t12 = k1 * coupler_rotation_xx
+        t12 = k2 * coupler_rotation_xx
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
-        t16 = t12 - k2 * minus_coupler_rotation_xy
-        t18 = coupler_position_z - B_at_z * t16
-        t21 = k2 * coupler_rotation_xx + k1 * minus_coupler_rotation_xy
-        t25 = t18 - (coupler_com_x * t21 - k7 * t16)
-        minus_coupler_momentum_px = rocker_m * (minus_coupler_twist_vx - coupler_omega_z * t25)
+        t16 = t12 + k1 * minus_coupler_rotation_xy
+        t17 = coupler_com_x * t16
+        t20 = k1 * coupler_rotation_xx - k2 * minus_coupler_rotation_xy
+        t23 = t17 - (coupler_position_z + B_at_z * t20)
+        minus_coupler_momentum_px = rocker_m * (minus_coupler_twist_vx + coupler_omega_z * t23)
         coupler_momentum_px = -minus_coupler_momentum_px
         coupler_position_x = B_at_z * crank_sin
         coupler_twist_vz = B_v * coupler_position_x
-        t33 = coupler_position_x - B_at_z * t21 + (coupler_com_x * t16 + k7 * t21)
-        coupler_momentum_pz = rocker_m * (coupler_twist_vz - coupler_omega_z * t33)
-        minus_coupler_momentum_Ly = (
-            t25 * minus_coupler_momentum_px + t33 * coupler_momentum_pz - coupler_Iyy * coupler_omega_z
+        t29 = coupler_com_x * t20 + (coupler_position_x + B_at_z * t16)
+        coupler_momentum_pz = rocker_m * (coupler_twist_vz - coupler_omega_z * t29)
+        coupler_momentum_Ly = (
+            coupler_Iyy * coupler_omega_z + (t23 * minus_coupler_momentum_px - t29 * coupler_momentum_pz)
         )
-        coupler_momentum_Ly = -minus_coupler_momentum_Ly
-        t40 = rocker_phase - D_q  # D
+        t36 = rocker_phase - D_q  # D
         # rocker: geometry
-        minus_rocker_sin = np.sin(t40)
+        minus_rocker_sin = np.sin(t36)
         # rocker: momentum, eq. (31); geometry
-        t41 = k4 * minus_rocker_sin
-        rocker_cos = np.cos(t40)
-        t43 = t41 - k3 * rocker_cos
-        t44 = D_at_x * t43
-        t45 = rocker_com_x * t43
-        t48 = k3 * minus_rocker_sin + k4 * rocker_cos
-        t51 = t44 - (t45 + rocker_com_z * t48)
-        minus_rocker_momentum_px = rocker_m * (D_v * t51)
-        rocker_momentum_px = -minus_rocker_momentum_px
-        t58 = D_at_x - D_at_x * t48 + (rocker_com_x * t48 - rocker_com_z * t43)
-        rocker_momentum_pz = rocker_m * (D_v * (D_at_x - t58))
-        rocker_momentum_Ly = rocker_Iyy * D_v + (t51 * minus_rocker_momentum_px - t58 * rocker_momentum_pz)
-        px_total = crank_momentum_px - minus_coupler_momentum_px - minus_rocker_momentum_px
+        t37 = k3 * minus_rocker_sin
+        rocker_cos = np.cos(t36)
+        t39 = t37 + k4 * rocker_cos
+        t40 = rocker_com_z * t39
+        t43 = k4 * minus_rocker_sin - k3 * rocker_cos
+        t45 = t40 - k7 * t43
+        rocker_momentum_px = rocker_m * (D_v * t45)
+        t50 = rocker_com_z * t43 - (D_at_x - k7 * t39)
+        rocker_momentum_pz = rocker_m * (D_v * (D_at_x + t50))
+        rocker_momentum_Ly = rocker_Iyy * D_v + (t45 * rocker_momentum_px + t50 * rocker_momentum_pz)
+        px_total = rocker_momentum_px + (crank_momentum_px - minus_coupler_momentum_px)
         pz_total = rocker_momentum_pz - (minus_crank_momentum_pz - coupler_momentum_pz)
-        Ly_total = crank_momentum_Ly - minus_coupler_momentum_Ly + rocker_momentum_Ly
+        Ly_total = rocker_momentum_Ly + (crank_momentum_Ly + coupler_momentum_Ly)
         guards = ()
         return _finish(batch, ((crank_momentum_px, 0.0, crank_momentum_pz, 0.0, crank_momentum_Ly,
             0.0, coupler_momentum_px, 0.0, coupler_momentum_pz, 0.0, coupler_momentum_Ly, 0.0,
@@ -1052,25 +1044,23 @@ def momentum_rates(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 140 (add 54, mul 79, trig 6, compare 1)
+    Operations: 130 (add 48, mul 75, trig 6, compare 1)
     """
     entries, batch = _entries("momentum_rates", {"q": 3, "v": 3, "a": 3}, arguments)
     (
         A_q, B_q, D_q, A_v, B_v, D_v, A_a, B_a, D_a,
     ) = entries
     with np.errstate(all="ignore"):
-        # crank: geometry
+        # crank: geometry; momentum rate, eq. (35); momentum, eq. (31)
         crank_cos = np.cos(A_q)
-        # crank: momentum rate, eq. (35); geometry; momentum, eq. (31)
         t1 = crank_com_z * crank_cos
         t3 = 0.5 * (A_a * t1)
         crank_sin = np.sin(A_q)
         t4 = crank_com_z * crank_sin
         crank_rate_at_O_fx = t3 - A_v * (0.5 * (A_v * t4))
-        t8 = A_v * (0.5 * (A_v * t1))
+        t8 = (-0.5) * (A_v * t1) * A_v
         t10 = 0.5 * (A_a * t4)
-        minus_crank_rate_at_O_fz = t8 + t10
-        crank_rate_at_O_fz = -minus_crank_rate_at_O_fz
+        crank_rate_at_O_fz = t8 - t10
         crank_rate_at_O_my = t1 * t3 + t4 * t10 + crank_Ixx * A_a
         # coupler: velocities, eq. (6); geometry; momentum, eq. (31)
         coupler_omega_z = A_v + B_v
@@ -1081,60 +1071,58 @@ def momentum_rates(*arguments):
         t16 = crank_sin * coupler_cos
         coupler_sin = np.sin(t15)
         coupler_rotation_xx = t16 + crank_cos * coupler_sin
-        t18 = k2 * coupler_rotation_xx
+        t18 = k1 * coupler_rotation_xx
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
-        t22 = t18 + k1 * minus_coupler_rotation_xy
-        t24 = coupler_position_x - B_at_z * t22
-        t27 = k1 * coupler_rotation_xx - k2 * minus_coupler_rotation_xy
-        t31 = t24 + (coupler_com_x * t27 + k7 * t22)
-        coupler_momentum_pz = rocker_m * (coupler_twist_vz - coupler_omega_z * t31)
-        t34 = coupler_omega_z * coupler_momentum_pz
+        t22 = t18 - k2 * minus_coupler_rotation_xy
+        t23 = coupler_com_x * t22
+        t26 = k2 * coupler_rotation_xx + k1 * minus_coupler_rotation_xy
+        t29 = t23 + (coupler_position_x + B_at_z * t26)
+        coupler_momentum_pz = rocker_m * (coupler_twist_vz - coupler_omega_z * t29)
+        t32 = coupler_omega_z * coupler_momentum_pz
         coupler_position_z = B_at_z * crank_cos
         minus_coupler_twist_rate_vx = B_a * coupler_position_z - B_v * (A_v * coupler_position_x)
         coupler_twist_rate_wy = A_a + B_a
         # coupler: momentum rate, eq. (35); velocities, eq. (6); momentum, eq. (31)
-        t43 = coupler_position_z - B_at_z * t27 - (coupler_com_x * t22 - k7 * t27)
-        t46 = rocker_m * (minus_coupler_twist_rate_vx - coupler_twist_rate_wy * t43)
-        coupler_rate_at_O_fx = t34 - t46
+        t39 = coupler_com_x * t26 - (coupler_position_z + B_at_z * t22)
+        t42 = rocker_m * (minus_coupler_twist_rate_vx + coupler_twist_rate_wy * t39)
+        coupler_rate_at_O_fx = t32 - t42
         minus_coupler_twist_vx = B_v * coupler_position_z
-        minus_coupler_momentum_px = rocker_m * (minus_coupler_twist_vx - coupler_omega_z * t43)
-        t49 = coupler_omega_z * minus_coupler_momentum_px
-        t54 = B_a * coupler_position_x + B_v * (A_v * coupler_position_z) - coupler_twist_rate_wy * t31
-        t55 = rocker_m * t54
-        coupler_rate_at_O_fz = t49 + t55
-        t58 = coupler_twist_vz * minus_coupler_momentum_px - minus_coupler_twist_vx * coupler_momentum_pz
-        minus_coupler_rate_at_O_my = t58 + (t43 * t46 + t31 * t55 - coupler_Iyy * coupler_twist_rate_wy)
-        coupler_rate_at_O_my = -minus_coupler_rate_at_O_my
+        minus_coupler_momentum_px = rocker_m * (minus_coupler_twist_vx + coupler_omega_z * t39)
+        t45 = coupler_omega_z * minus_coupler_momentum_px
+        t50 = B_a * coupler_position_x + B_v * (A_v * coupler_position_z) - coupler_twist_rate_wy * t29
+        t51 = rocker_m * t50
+        coupler_rate_at_O_fz = t45 + t51
+        t56 = coupler_Iyy * coupler_twist_rate_wy + (t39 * t42 - t29 * t51)
+        coupler_rate_at_O_my = (
+            t56 - (coupler_twist_vz * minus_coupler_momentum_px - minus_coupler_twist_vx * coupler_momentum_pz)
+        )
         # rocker: velocities, eq. (6); geometry; momentum, eq. (31)
         rocker_twist_vz = D_at_x * D_v
-        t64 = rocker_phase - D_q  # D
-        minus_rocker_sin = np.sin(t64)
-        t65 = k3 * minus_rocker_sin
-        rocker_cos = np.cos(t64)
-        t67 = t65 + k4 * rocker_cos
-        t69 = D_at_x - D_at_x * t67
-        t70 = rocker_com_x * t67
-        t73 = k4 * minus_rocker_sin - k3 * rocker_cos
-        t76 = t69 + (t70 - rocker_com_z * t73)
+        t60 = rocker_phase - D_q  # D
+        minus_rocker_sin = np.sin(t60)
+        t61 = k4 * minus_rocker_sin
+        rocker_cos = np.cos(t60)
+        t63 = t61 - k3 * rocker_cos
+        t64 = rocker_com_z * t63
+        t67 = k3 * minus_rocker_sin + k4 * rocker_cos
+        t70 = t64 - (D_at_x - k7 * t67)
         # rocker: momentum rate, eq. (35); momentum, eq. (31)
-        t79 = D_v * (rocker_m * (rocker_twist_vz - D_v * t76))
-        t84 = D_at_x * t73 - (rocker_com_x * t73 + rocker_com_z * t67)
-        t86 = rocker_m * (D_a * t84)
-        rocker_rate_at_O_fx = t79 - t86
-        minus_rocker_momentum_px = rocker_m * (D_v * t84)
-        t88 = D_v * minus_rocker_momentum_px
-        t91 = rocker_m * (D_a * (D_at_x - t76))
-        rocker_rate_at_O_fz = t88 + t91
-        t96 = rocker_Iyy * D_a + (t84 * t86 - t76 * t91)
-        rocker_rate_at_O_my = t96 - rocker_twist_vz * minus_rocker_momentum_px
+        t73 = D_v * (rocker_m * (rocker_twist_vz + D_v * t70))
+        t76 = rocker_com_z * t67 - k7 * t63
+        t78 = rocker_m * (D_a * t76)
+        rocker_rate_at_O_fx = t73 + t78
+        t81 = rocker_m * (D_a * (D_at_x + t70))
+        rocker_momentum_px = rocker_m * (D_v * t76)
+        rocker_rate_at_O_fz = t81 - D_v * rocker_momentum_px
+        t84 = rocker_twist_vz * rocker_momentum_px
+        rocker_rate_at_O_my = t84 + (rocker_Iyy * D_a + (t76 * t78 + t70 * t81))
         guards = ()
         return _finish(batch, ((crank_rate_at_O_fx, 0.0, crank_rate_at_O_fz, 0.0,
             crank_rate_at_O_my, 0.0, coupler_rate_at_O_fx, 0.0, coupler_rate_at_O_fz, 0.0,
             coupler_rate_at_O_my, 0.0, rocker_rate_at_O_fx, 0.0, rocker_rate_at_O_fz, 0.0,
-            rocker_rate_at_O_my, 0.0),), guards, (crank_rate_at_O_fx, minus_crank_rate_at_O_fz,
-            crank_rate_at_O_my, coupler_rate_at_O_fx, coupler_rate_at_O_fz,
-            minus_coupler_rate_at_O_my, rocker_rate_at_O_fx, rocker_rate_at_O_fz,
-            rocker_rate_at_O_my))
+            rocker_rate_at_O_my, 0.0),), guards, (crank_rate_at_O_fx, crank_rate_at_O_fz,
+            crank_rate_at_O_my, coupler_rate_at_O_fx, coupler_rate_at_O_fz, coupler_rate_at_O_my,
+            rocker_rate_at_O_fx, rocker_rate_at_O_fz, rocker_rate_at_O_my))
 
 
 def energy(*arguments):
@@ -1150,26 +1138,27 @@ def energy(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 35 (add 11, mul 18, trig 5, compare 1)
+    Operations: 33 (add 11, mul 16, trig 5, compare 1)
     """
     entries, batch = _entries("energy", {"q": 3, "v": 3}, arguments)
     (
         A_q, B_q, D_q, A_v, B_v, D_v,
     ) = entries
     with np.errstate(all="ignore"):
-        # rocker: energy
-        rocker_energy_kinetic_up_to = k8 * (A_v * A_v) + rocker_sxx * (D_v * D_v)
-        t2 = coupler_phase + B_q  # B
-        coupler_cos = np.cos(t2)
-        coupler_vel_y = coupler_cos * (B_at_z * A_v)
+        # coupler: velocities, eq. (6); energy; geometry
         coupler_omega_z = A_v + B_v
-        t6 = rocker_energy_kinetic_up_to + coupler_vel_y * (k2 * coupler_omega_z)  # coupler
-        kinetic_energy = 0.5 * (t6 + coupler_sxx * (coupler_omega_z * coupler_omega_z))
+        t1 = coupler_sxx * (coupler_omega_z * coupler_omega_z)
+        t2 = rocker_sxx * (D_v * D_v)  # rocker
+        t3 = k8 * A_v  # A
+        t4 = coupler_phase + B_q  # B
+        coupler_cos = np.cos(t4)
+        coupler_energy_kinetic_up_to = t1 + (t2 + A_v * (t3 + coupler_cos * (k9 * coupler_omega_z)))
+        kinetic_energy = 0.5 * coupler_energy_kinetic_up_to
         crank_cos = np.cos(A_q)
-        t11 = gravity_z_crank_mx * crank_cos + gravity_z_rocker_mx * np.cos(rocker_phase - D_q)  # potential
-        t12 = k9 * crank_cos  # crank
-        t15 = k7 * (np.sin(A_q) * np.sin(t2) - crank_cos * coupler_cos)  # coupler
-        potential_energy = t11 + gravity_z * (t12 - t15)
+        t13 = gravity_z_crank_mx * crank_cos + gravity_z_rocker_mx * np.cos(rocker_phase - D_q)  # potential
+        t14 = k10 * crank_cos  # crank
+        t17 = k11 * (np.sin(A_q) * np.sin(t4) - crank_cos * coupler_cos)
+        potential_energy = t13 + gravity_z * (t14 - t17)
         guards = ()
         return _finish(batch, ((kinetic_energy, potential_energy),), guards, (kinetic_energy,
             potential_energy))
@@ -1186,18 +1175,17 @@ def mass_matrix(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 15 (add 9, mul 4, trig 1, compare 1)
+    Operations: 10 (add 6, mul 2, trig 1, compare 1)
     """
     entries, batch = _entries("mass_matrix", {"q": 3}, arguments)
     (
         A_q, B_q, D_q,
     ) = entries
     with np.errstate(all="ignore"):
-        # coupler: geometry; inertia
+        # coupler: geometry
         coupler_cos = np.cos(coupler_phase + B_q)
-        t3 = coupler_cos * (coupler_sxx * coupler_cos)
-        A_mass_matrix_by_A = coupler_sxx - t3 + (k8 + (t3 + k10 * coupler_cos))
-        A_mass_matrix_by_B = coupler_sxx + k11 * coupler_cos
+        A_mass_matrix_by_A = k9 * coupler_cos + k12
+        A_mass_matrix_by_B = coupler_sxx + k13 * coupler_cos
         guards = ()
         return _finish(batch, ((A_mass_matrix_by_A, A_mass_matrix_by_B, 0.0, A_mass_matrix_by_B,
             coupler_sxx, 0.0, 0.0, 0.0, rocker_sxx),), guards, (A_mass_matrix_by_A,
@@ -1231,10 +1219,10 @@ def bias(*arguments):
         t4 = coupler_sin * (B_at_z * (A_v * A_v) - gravity_z * np.cos(A_q))  # coupler
         coupler_cos = np.cos(t1)
         crank_sin = np.sin(A_q)
-        coupler_rate_mz = k7 * (t4 - coupler_cos * (gravity_z * crank_sin))
+        coupler_rate_mz = k11 * (t4 - coupler_cos * (gravity_z * crank_sin))
         coupler_omega_z = A_v + B_v
-        t7 = coupler_rate_mz - B_at_z * (coupler_sin * (k7 * (coupler_omega_z * coupler_omega_z)))  # crank
-        crank_moment_z = t7 - k12 * crank_sin
+        t7 = coupler_rate_mz - B_at_z * (coupler_sin * (k11 * (coupler_omega_z * coupler_omega_z)))  # crank
+        crank_moment_z = t7 - k14 * crank_sin
         rocker_rate_mz = gravity_z_rocker_mx * np.sin(rocker_phase - D_q)
         guards = ()
         return _finish(batch, ((crank_moment_z, coupler_rate_mz, rocker_rate_mz),), guards,
@@ -1257,47 +1245,48 @@ def inverse_dynamics(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 71 (add 23, mul 38, div 1, trig 6, compare 3)
+    Operations: 69 (add 23, mul 36, div 1, trig 6, compare 3)
     """
     entries, batch = _entries("inverse_dynamics", {"q": 3, "v": 3, "a": 3}, arguments)
     (
         A_q, B_q, D_q, A_v, B_v, D_v, A_a, B_a, D_a,
     ) = entries
     with np.errstate(all="ignore"):
-        # B: geometry
-        t1 = coupler_phase + B_q
-        coupler_sin = np.sin(t1)
-        crank_lever_mz_by_C_fx = B_at_z * coupler_sin
-        t2 = rocker_phase - D_q  # D
-        minus_rocker_sin = np.sin(t2)
-        rocker_rate_mz_2 = gravity_z_rocker_mx * minus_rocker_sin + rocker_sxx * D_a
-        minus_rocker_joint_force_my_by_C_fz = k6 * np.cos(t2)
+        # A: momentum rate, eq. (35)
+        t1 = k8 * A_a
         crank_sin = np.sin(A_q)
+        crank_rate_mz = t1 - k14 * crank_sin
+        t2 = coupler_phase + B_q  # B
+        # coupler: geometry; accelerations; momentum rate, eq. (35)
+        coupler_cos = np.cos(t2)
         coupler_twist_rate_wy = A_a + B_a
-        t4 = coupler_sxx * coupler_twist_rate_wy  # coupler
-        t5 = B_at_z * (A_v * A_v)  # crank
+        t3 = coupler_sxx * coupler_twist_rate_wy
+        coupler_sin = np.sin(t2)
+        t4 = B_at_z * (A_v * A_v)  # crank
         crank_cos = np.cos(A_q)
-        t7 = coupler_sin * (t5 - gravity_z * crank_cos)  # coupler
-        coupler_cos = np.cos(t1)
-        t11 = k7 * (t7 + coupler_cos * (B_at_z * A_a - gravity_z * crank_sin))  # coupler
-        C_multiplier_fy = 2.0 * (t4 + t11)
-        t12 = coupler_sin * C_multiplier_fy  # rocker
-        t13 = crank_sin * t12  # rocker
-        t14 = coupler_cos * C_multiplier_fy  # rocker
-        t17 = minus_rocker_joint_force_my_by_C_fz * (t13 - crank_cos * t14)  # rocker
+        t6 = coupler_sin * (t4 - gravity_z * crank_cos)
+        t10 = k11 * (t6 + coupler_cos * (B_at_z * A_a - gravity_z * crank_sin))
+        C_multiplier_fy = 2.0 * (t3 + t10)
+        t11 = coupler_cos * C_multiplier_fy  # A
+        coupler_omega_z = A_v + B_v
+        t15 = k11 * (coupler_sin * (coupler_omega_z * coupler_omega_z) - coupler_cos * coupler_twist_rate_wy)
+        t16 = t11 + t15  # A
+        t17 = rocker_phase - D_q  # D
+        minus_rocker_sin = np.sin(t17)
+        rocker_rate_mz_2 = gravity_z_rocker_mx * minus_rocker_sin + rocker_sxx * D_a
+        minus_rocker_joint_force_my_by_C_fz = k6 * np.cos(t17)
+        t19 = coupler_sin * C_multiplier_fy  # rocker
+        t23 = minus_rocker_joint_force_my_by_C_fz * (crank_sin * t19 - crank_cos * t11)  # rocker
         minus_rocker_joint_force_mx_by_C_fz = k6 * minus_rocker_sin
         rocker_joint_force_mz = (
-            rocker_rate_mz_2 - (t17 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * t12 + crank_sin * t14))
+            rocker_rate_mz_2 - (t23 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * t19 + crank_sin * t11))
         )
-        t25 = (crank_sin * coupler_cos + crank_cos * coupler_sin) * minus_rocker_joint_force_my_by_C_fz  # C
+        t29 = coupler_sin * rocker_joint_force_mz  # A
+        t32 = (crank_sin * coupler_cos + crank_cos * coupler_sin) * minus_rocker_joint_force_my_by_C_fz  # C
         minus_C_closure_fx_by_D = (
-            t25 - (crank_sin * coupler_sin - crank_cos * coupler_cos) * minus_rocker_joint_force_mx_by_C_fz
+            t32 - (crank_sin * coupler_sin - crank_cos * coupler_cos) * minus_rocker_joint_force_mx_by_C_fz
         )
-        t29 = crank_lever_mz_by_C_fx * (rocker_joint_force_mz / minus_C_closure_fx_by_D)  # A
-        coupler_omega_z = A_v + B_v
-        minus_crank_force_y = coupler_sin * (k7 * (coupler_omega_z * coupler_omega_z))
-        t32 = B_at_z * (minus_crank_force_y - coupler_cos * (k7 * coupler_twist_rate_wy) + t14)  # crank
-        A_balance = t29 - (t32 + (k12 * crank_sin - k8 * A_a))
+        A_balance = crank_rate_mz - B_at_z * (t16 - t29 / minus_C_closure_fx_by_D)
         guards = (  # status 1 where a pivot is smaller than its limit:
             (minus_C_closure_fx_by_D, 5.057800000000001e-10),  # where D does not move the loop at C
         )
@@ -1321,7 +1310,7 @@ def inverse_dynamics_independent(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 112 (add 35, mul 67, div 1, trig 6, compare 3)
+    Operations: 108 (add 34, mul 64, div 1, trig 6, compare 3)
     """
     entries, batch = _entries("inverse_dynamics_independent", {"q": 3, "y_dot": 1, "y_ddot": 1},
         arguments)
@@ -1349,42 +1338,41 @@ def inverse_dynamics_independent(*arguments):
         t9 = 1.0 / minus_C_closure_fx_by_D  # C
         rocker_rate_mz = gravity_z_rocker_mx * minus_rocker_sin
         t10 = crank_lever_mz_by_C_fx * A_y_ddot  # D
-        D_joint_rate = crank_lever_mz_by_C_fx * A_y_dot * t9
-        t12 = k6 * (D_joint_rate * D_joint_rate)  # rocker
-        t13 = rocker_cos * t12  # rocker
-        t14 = crank_cos * t13  # C
-        t15 = minus_rocker_sin * t12  # rocker
-        t17 = t14 - crank_sin * t15  # C
-        t18 = coupler_cos * t17  # C
-        t21 = crank_sin * t13 + crank_cos * t15  # C
-        t23 = t18 - coupler_sin * t21  # C
-        t24 = B_at_z * (A_y_dot * A_y_dot)  # crank
-        minus_coupler_acc_still_x = coupler_cos * t24
         crank_lever_mz_by_C_fy = 0.5 + B_at_z * coupler_cos
-        t26 = crank_lever_mz_by_C_fy * A_y_dot
-        t27 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
-        C_closure_fy_by_D = t27 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
-        coupler_omega_z = A_y_dot - 2.0 * (t26 + C_closure_fy_by_D * D_joint_rate)
+        t12 = crank_lever_mz_by_C_fy * A_y_dot
+        t13 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
+        C_closure_fy_by_D = t13 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
+        D_joint_rate = crank_lever_mz_by_C_fx * A_y_dot * t9
+        coupler_omega_z = A_y_dot - 2.0 * (t12 + C_closure_fy_by_D * D_joint_rate)
         minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z
-        D_joint_acc = t9 * (t10 + (t23 - (minus_coupler_acc_still_x + 0.5 * minus_coupler_U_still_xx)))
-        rocker_rate_mz_2 = rocker_rate_mz + rocker_sxx * D_joint_acc
-        t35 = crank_lever_mz_by_C_fy * A_y_ddot
-        t39 = t35 + (coupler_sin * t24 - (coupler_sin * t17 + coupler_cos * t21))
-        coupler_alpha_z = A_y_ddot - 2.0 * (t39 + C_closure_fy_by_D * D_joint_acc)
-        t42 = coupler_sxx * coupler_alpha_z  # coupler
-        t44 = coupler_sin * (gravity_z * crank_cos - t24)  # coupler
-        t48 = k7 * (t44 + coupler_cos * (gravity_z * crank_sin - B_at_z * A_y_ddot))  # coupler
-        C_multiplier_fy = 2.0 * (t42 - t48)
-        t49 = coupler_sin * C_multiplier_fy  # rocker
-        t50 = crank_sin * t49  # rocker
-        t51 = coupler_cos * C_multiplier_fy  # rocker
-        t54 = minus_rocker_joint_force_my_by_C_fz * (t50 - crank_cos * t51)  # rocker
+        t18 = 0.5 * minus_coupler_U_still_xx  # coupler
+        t19 = k6 * (D_joint_rate * D_joint_rate)  # rocker
+        t20 = rocker_cos * t19  # rocker
+        t21 = crank_sin * t20  # D
+        t22 = minus_rocker_sin * t19  # rocker
+        t24 = t21 + crank_cos * t22  # D
+        t25 = coupler_sin * t24  # D
+        t26 = B_at_z * (A_y_dot * A_y_dot)  # crank
+        t30 = t26 - (crank_cos * t20 - crank_sin * t22)  # D
+        D_joint_acc = t9 * (t10 - (t18 + (t25 + coupler_cos * t30)))
+        t36 = rocker_rate_mz + rocker_sxx * D_joint_acc  # rocker
+        t38 = coupler_sin * (gravity_z * crank_cos - t26)  # coupler
+        t42 = k11 * (t38 + coupler_cos * (gravity_z * crank_sin - B_at_z * A_y_ddot))  # coupler
+        t43 = C_closure_fy_by_D * D_joint_acc
+        t49 = t43 + (crank_lever_mz_by_C_fy * A_y_ddot - (coupler_cos * t24 - coupler_sin * t30))
+        coupler_alpha_z = A_y_ddot - 2.0 * t49
+        minus_C_multiplier_fy = 2.0 * (t42 - coupler_sxx * coupler_alpha_z)
+        t51 = coupler_sin * minus_C_multiplier_fy  # rocker
+        t52 = crank_sin * t51  # rocker
+        t53 = coupler_cos * minus_C_multiplier_fy  # rocker
+        t56 = minus_rocker_joint_force_my_by_C_fz * (t52 - crank_cos * t53)  # rocker
         rocker_joint_force_mz = (
-            rocker_rate_mz_2 - (t54 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * t49 + crank_sin * t51))
+            t36 + (t56 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * t51 + crank_sin * t53))
         )
-        t60 = crank_lever_mz_by_C_fx * (t9 * rocker_joint_force_mz)  # A
-        t62 = coupler_sin * (k7 * minus_coupler_U_still_xx) - coupler_cos * (k7 * coupler_alpha_z) + t51  # crank
-        A_balance = t60 - (B_at_z * t62 + (k12 * crank_sin - k8 * A_y_ddot))
+        t62 = crank_lever_mz_by_C_fx * (t9 * rocker_joint_force_mz)  # A
+        minus_crank_rate_mz_2 = k14 * crank_sin - k8 * A_y_ddot
+        t69 = B_at_z * (t53 - k11 * (coupler_sin * minus_coupler_U_still_xx - coupler_cos * coupler_alpha_z))  # A
+        A_balance = t62 - (minus_crank_rate_mz_2 - t69)
         guards = (  # status 1 where a pivot is smaller than its limit:
             (minus_C_closure_fx_by_D, 5.057800000000001e-10),  # where D does not move the loop at C
         )
@@ -1413,7 +1401,7 @@ def joint_reactions(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 248 (add 100, mul 130, div 3, trig 6, compare 9)
+    Operations: 232 (add 91, mul 123, div 3, trig 6, compare 9)
     Note: overconstrained: 3 internal loads undetermined, minimum-norm values are taken (moments divided
       by the characteristic length 0.301689 m); not unique: fy, mx, mz of C, B, D, A
     """
@@ -1422,130 +1410,134 @@ def joint_reactions(*arguments):
         A_q, B_q, D_q, A_v, B_v, D_v, A_a, B_a, D_a,
     ) = entries
     with np.errstate(all="ignore"):
-        # B: geometry; reactions, eq. (32)
-        t1 = coupler_phase + B_q
-        coupler_sin = np.sin(t1)
-        crank_lever_mz_by_C_fx = B_at_z * coupler_sin
-        t2 = rocker_phase - D_q  # D
-        minus_rocker_sin = np.sin(t2)
-        rocker_rate_mz_2 = gravity_z_rocker_mx * minus_rocker_sin + rocker_sxx * D_a
-        rocker_cos = np.cos(t2)
-        minus_rocker_joint_force_my_by_C_fz = k6 * rocker_cos
+        # A: momentum rate, eq. (35)
+        t1 = k8 * A_a
         crank_sin = np.sin(A_q)
+        crank_rate_mz = t1 - k14 * crank_sin
+        t2 = coupler_phase + B_q  # B
+        # coupler: geometry; momentum rate, eq. (35); accelerations
+        coupler_sin = np.sin(t2)
+        coupler_omega_z = A_v + B_v
+        minus_coupler_rate_fx = k11 * (coupler_omega_z * coupler_omega_z)
+        minus_crank_force_y = coupler_sin * minus_coupler_rate_fx
+        coupler_cos = np.cos(t2)
         coupler_twist_rate_wy = A_a + B_a
-        t4 = coupler_sxx * coupler_twist_rate_wy  # coupler
+        coupler_rate_fy = k11 * coupler_twist_rate_wy
+        minus_coupler_joint_force_fy = minus_crank_force_y - coupler_cos * coupler_rate_fy
+        t4 = coupler_sxx * coupler_twist_rate_wy
         minus_crank_U_still_xx = A_v * A_v
         t5 = B_at_z * minus_crank_U_still_xx  # crank
         crank_cos = np.cos(A_q)
         t6 = t5 - gravity_z * crank_cos  # crank
-        t7 = coupler_sin * t6  # coupler
-        coupler_cos = np.cos(t1)
-        t9 = B_at_z * A_a - gravity_z * crank_sin  # coupler
+        t7 = coupler_sin * t6
+        t9 = B_at_z * A_a - gravity_z * crank_sin
         coupler_acc_y = t7 + coupler_cos * t9
-        C_multiplier_fy = 2.0 * (t4 + k7 * coupler_acc_y)
-        t12 = coupler_sin * C_multiplier_fy  # rocker
-        t13 = crank_sin * t12  # rocker
-        t14 = coupler_cos * C_multiplier_fy  # rocker
-        t17 = minus_rocker_joint_force_my_by_C_fz * (t13 - crank_cos * t14)  # rocker
+        C_multiplier_fy = 2.0 * (t4 + k11 * coupler_acc_y)
+        t12 = coupler_cos * C_multiplier_fy  # A
+        t13 = minus_coupler_joint_force_fy + t12  # A
+        t14 = rocker_phase - D_q  # D
+        # rocker: geometry; momentum rate, eq. (35); balance, eqs. (40)-(47)
+        minus_rocker_sin = np.sin(t14)
+        rocker_rate_mz_2 = gravity_z_rocker_mx * minus_rocker_sin + rocker_sxx * D_a
+        rocker_cos = np.cos(t14)
+        minus_rocker_joint_force_my_by_C_fz = k6 * rocker_cos
+        t16 = coupler_sin * C_multiplier_fy
+        t20 = minus_rocker_joint_force_my_by_C_fz * (crank_sin * t16 - crank_cos * t12)
         minus_rocker_joint_force_mx_by_C_fz = k6 * minus_rocker_sin
         rocker_joint_force_mz = (
-            rocker_rate_mz_2 - (t17 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * t12 + crank_sin * t14))
+            rocker_rate_mz_2 - (t20 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * t16 + crank_sin * t12))
         )
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
-        t25 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
+        t28 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
-        minus_C_closure_fx_by_D = t25 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
+        minus_C_closure_fx_by_D = t28 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
         minus_C_multiplier_fx = rocker_joint_force_mz / minus_C_closure_fx_by_D
-        t29 = crank_lever_mz_by_C_fx * minus_C_multiplier_fx  # A
-        coupler_omega_z = A_v + B_v
-        minus_coupler_rate_fx = k7 * (coupler_omega_z * coupler_omega_z)
-        minus_crank_force_y = coupler_sin * minus_coupler_rate_fx
-        coupler_rate_fy = k7 * coupler_twist_rate_wy
-        t32 = B_at_z * (minus_crank_force_y - coupler_cos * coupler_rate_fy + t14)  # crank
-        A_balance = t29 - (t32 + (k12 * crank_sin - k8 * A_a))
+        t32 = coupler_sin * minus_C_multiplier_fx  # A
+        A_balance = crank_rate_mz - B_at_z * (t13 - t32)
         coupler_sent_fx = (
             minus_C_multiplier_fx - (minus_coupler_rate_fx + rocker_m * (coupler_cos * t6 - coupler_sin * t9))
         )
-        t37 = coupler_cos * coupler_sent_fx  # coupler
+        t38 = coupler_cos * coupler_sent_fx  # coupler
         minus_coupler_sent_fy = C_multiplier_fy - (coupler_rate_fy + rocker_m * coupler_acc_y)
-        coupler_joint_sent_fx = t37 + coupler_sin * minus_coupler_sent_fy
+        coupler_joint_sent_fx = t38 + coupler_sin * minus_coupler_sent_fy
         crank_sent_fx = coupler_joint_sent_fx + (crank_m_gravity_z * crank_cos - crank_mx * minus_crank_U_still_xx)
-        t42 = crank_sin * crank_sent_fx  # crank
+        t43 = crank_sin * crank_sent_fx  # crank
         coupler_joint_sent_fy = coupler_sin * coupler_sent_fx - coupler_cos * minus_coupler_sent_fy
         crank_sent_fy = coupler_joint_sent_fy - (crank_m_gravity_z * crank_sin - crank_mx * A_a)
-        crank_joint_sent_fy = t42 + crank_cos * crank_sent_fy
+        crank_joint_sent_fy = t43 + crank_cos * crank_sent_fy
         crank_joint_sent_fx = crank_cos * crank_sent_fx - crank_sin * crank_sent_fy
         B_reaction_fx = crank_sin * coupler_joint_sent_fx + crank_cos * coupler_joint_sent_fy
         B_reaction_fz = crank_cos * coupler_joint_sent_fx - crank_sin * coupler_joint_sent_fy
         coupler_position_z = B_at_z * crank_cos
-        t54 = coupler_position_z * B_reaction_fx
+        t55 = coupler_position_z * B_reaction_fx  # B
         coupler_position_x = B_at_z * crank_sin
-        B_reaction_my = t54 - coupler_position_x * B_reaction_fz
+        B_reaction_my = t55 - coupler_position_x * B_reaction_fz
         C_reaction_fx = coupler_rotation_xx * minus_C_multiplier_fx + minus_coupler_rotation_xy * C_multiplier_fy
         minus_C_reaction_fz = (
             minus_coupler_rotation_xy * minus_C_multiplier_fx - coupler_rotation_xx * C_multiplier_fy
         )
         C_reaction_fz = -minus_C_reaction_fz
-        t62 = (coupler_position_z - 0.5 * minus_coupler_rotation_xy) * C_reaction_fx  # C
-        C_reaction_my = t62 + (coupler_position_x + 0.5 * coupler_rotation_xx) * minus_C_reaction_fz
-        # rocker: momentum rate, eq. (35)
+        t63 = (coupler_position_z - 0.5 * minus_coupler_rotation_xy) * C_reaction_fx  # C
+        C_reaction_my = t63 + (coupler_position_x + 0.5 * coupler_rotation_xx) * minus_C_reaction_fz
         minus_rocker_rate_fx_2 = rocker_mx * (D_v * D_v) - rocker_m_gravity_z * rocker_cos
         # rocker: balance, eqs. (40)-(47); momentum rate, eq. (35); pivots
-        t67 = minus_rocker_sin * minus_rocker_rate_fx_2
+        t68 = minus_rocker_sin * minus_rocker_rate_fx_2
         rocker_rate_fy_2 = rocker_mx * D_a + rocker_m_gravity_z * minus_rocker_sin
-        t70 = t67 + rocker_cos * rocker_rate_fy_2
-        t72 = t12 + coupler_cos * minus_C_multiplier_fx
-        t73 = crank_sin * t72
-        t75 = t14 - coupler_sin * minus_C_multiplier_fx
-        rocker_joint_sent_fy = t70 - (t73 - crank_cos * t75)
+        t71 = t68 + rocker_cos * rocker_rate_fy_2
+        t73 = t16 + coupler_cos * minus_C_multiplier_fx
+        t74 = crank_sin * t73
+        t75 = t12 - t32  # A
+        rocker_joint_sent_fy = t71 - (t74 - crank_cos * t75)
         t80 = rocker_cos * minus_rocker_rate_fx_2 - minus_rocker_sin * rocker_rate_fy_2
-        minus_rocker_joint_sent_fx = t80 + (crank_cos * t72 + crank_sin * t75)
+        minus_rocker_joint_sent_fx = t80 + (crank_cos * t73 + crank_sin * t75)
         rocker_joint_sent_fx = -minus_rocker_joint_sent_fx
         D_reaction_my = D_at_x * minus_rocker_joint_sent_fx
         t84 = per_length_crank_m * coupler_sin  # coupler
         t86 = 2.0 + t84 * t84  # coupler
         t87 = per_length_crank_m * coupler_cos  # coupler
         t90 = 1.0 + (t86 + t87 * t87)  # coupler
-        t91 = k13 * minus_rocker_sin
+        t91 = k15 * minus_rocker_sin
         t93 = t90 + t91 * t91  # mechanism
-        t94 = k13 * rocker_cos
+        t94 = k15 * rocker_cos
         t97 = 1.0 + (t93 + t94 * t94)  # mechanism
         crank_lever_mx_by_C_fz = 0.5 * coupler_sin
         t98 = crank_cos * crank_lever_mx_by_C_fz  # crank
         minus_crank_lever_my_by_C_fz = B_at_z + 0.5 * coupler_cos
         t100 = per_length * (t98 + crank_sin * minus_crank_lever_my_by_C_fz)  # base
-        t102 = t97 + t100 * t100  # mechanism
+        # mechanism: pivots
+        t102 = t97 + t100 * t100
         t105 = per_length * (crank_sin * crank_lever_mx_by_C_fz - crank_cos * minus_crank_lever_my_by_C_fz)  # base
         pivot_0 = t102 + t105 * t105
+        t107 = per_length * minus_coupler_rotation_xy  # coupler
+        t108 = t91 - t100
+        t109 = t107 * t108
         # coupler: pivots
-        t107 = per_length * coupler_rotation_xx
-        t108 = t107 * t107
-        t109 = per_length * minus_coupler_rotation_xy
-        t110 = t109 * t109
-        t111 = per_length * coupler_cos
-        t112 = t111 * t111
-        t113 = per_length_squared + t112
-        t114 = per_length * coupler_sin
-        t115 = t114 * t114
-        t120 = t108 + (t110 + (t113 + t115 + t110 + t108))
-        # mechanism: pivots
-        t125 = t84 * t111 - t87 * t114 + t91 * t109
-        t131 = t125 - t94 * t107 - t100 * t109 + t105 * t107
-        t132 = 1.0 / pivot_0
-        pivot_1 = t120 - t131 * (t131 * t132)
-        t140 = t110 + (t108 + (t110 + (t108 + (t112 + (per_length_squared + t115)))))  # coupler
-        t145 = t84 * t114 + t87 * t111 - t91 * t107
-        t151 = t145 - t94 * t109 + t100 * t107 + t105 * t109
-        t152 = t151 * t132
-        t153 = t151 * t152
-        t154 = t131 * t152
-        pivot_2 = t140 - (t153 + t154 * (t154 / pivot_1))
+        t110 = per_length * coupler_rotation_xx
+        t111 = t94 - t105  # mechanism
+        t113 = t109 - t110 * t111  # mechanism
+        t114 = 1.0 / pivot_0  # mechanism
+        t116 = t113 * (t114 * t113)  # mechanism
+        t117 = per_length * coupler_cos
+        t118 = t117 * t117
+        t119 = per_length_squared + t118
+        t120 = per_length * coupler_sin
+        t121 = t120 * t120
+        t122 = t119 + t121
+        t126 = 2.0 * (t107 * t107 + t110 * t110)
+        minus_pivot_1 = t116 - (t122 + t126)
+        t130 = t118 + (per_length_squared + t121) + t126
+        t131 = t107 * t111  # mechanism
+        t137 = t131 - (t84 * t120 + t87 * t117 - t110 * t108)  # mechanism
+        t138 = t114 * t137  # mechanism
+        t139 = t137 * t138  # mechanism
+        t140 = t113 * t138  # mechanism
+        pivot_2 = t130 - (t139 - t140 * (t140 / minus_pivot_1))
         guards = (  # status 1 where a pivot is smaller than its limit:
             (minus_C_closure_fx_by_D, 5.057800000000001e-10),  # where D does not move the loop at C
             (pivot_0, 1.3789999999999998e-08),  # where step 0 of symmetric equations loses rank: of drives, inertia
             # or internal loads
-            (pivot_1, 4.3948000000000004e-08),  # where step 1 of symmetric equations loses rank: of drives, inertia
-            # or internal loads
+            (minus_pivot_1, 4.3948000000000004e-08),  # where step 1 of symmetric equations loses rank: of drives,
+            # inertia or internal loads
             (pivot_2, 4.3948000000000004e-08),  # where step 2 of symmetric equations loses rank: of drives, inertia
             # or internal loads
         )
@@ -1554,7 +1546,7 @@ def joint_reactions(*arguments):
             0.0, C_reaction_fz, 0.0, C_reaction_my, 0.0, rocker_joint_sent_fy, 0.0,
             rocker_joint_sent_fx, 0.0, D_reaction_my, 0.0)), guards, (minus_C_closure_fx_by_D,
             A_balance, crank_joint_sent_fy, crank_joint_sent_fx, B_reaction_my, C_reaction_my,
-            rocker_joint_sent_fy, D_reaction_my, pivot_0, pivot_1, pivot_2))
+            rocker_joint_sent_fy, D_reaction_my, pivot_0, minus_pivot_1, pivot_2))
 
 
 def _forward_dynamics_first(*arguments):
@@ -1564,71 +1556,67 @@ def _forward_dynamics_first(*arguments):
         A_q, B_q, D_q, A_v, B_v, D_v, A_u,
     ) = entries
     with np.errstate(all="ignore"):
-        # crank: geometry; momentum rate, eq. (35); accelerations
-        crank_sin = np.sin(A_q)
-        minus_crank_rate_mz = k12 * crank_sin
-        t1 = coupler_phase + B_q  # B
+        # B: geometry; rates that follow; accelerations
+        t1 = coupler_phase + B_q
         coupler_sin = np.sin(t1)
-        t2 = B_at_z * (A_v * A_v)
-        crank_cos = np.cos(A_q)
-        t4 = coupler_sin * (t2 - gravity_z * crank_cos)  # coupler
+        crank_lever_mz_by_C_fx = B_at_z * coupler_sin
+        crank_sin = np.sin(A_q)
         coupler_cos = np.cos(t1)
-        coupler_rate_mz = k7 * (t4 - coupler_cos * (gravity_z * crank_sin))
-        coupler_acc_still_y_2 = coupler_sin * t2
-        t6 = rocker_phase - D_q  # D
-        rocker_cos = np.cos(t6)
-        t7 = k6 * (D_v * D_v)  # rocker
-        t8 = rocker_cos * t7  # rocker
-        t9 = crank_cos * t8  # C
-        minus_rocker_sin = np.sin(t6)
-        t10 = minus_rocker_sin * t7  # rocker
-        t12 = t9 - crank_sin * t10  # C
-        t13 = coupler_sin * t12  # C
-        t16 = crank_sin * t8 + crank_cos * t10  # C
-        C_opening_bias_fy = coupler_acc_still_y_2 - (t13 + coupler_cos * t16)
-        minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
+        t2 = crank_sin * coupler_cos  # coupler
+        crank_cos = np.cos(A_q)
+        coupler_rotation_xx = t2 + crank_cos * coupler_sin
+        t4 = rocker_phase - D_q  # D
+        rocker_cos = np.cos(t4)
         minus_rocker_joint_force_my_by_C_fz = k6 * rocker_cos
-        t21 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
-        coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
+        t5 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
+        minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
+        minus_rocker_sin = np.sin(t4)
         minus_rocker_joint_force_mx_by_C_fz = k6 * minus_rocker_sin
-        C_closure_fy_by_D = t21 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
-        t27 = coupler_cos * t12 - coupler_sin * t16  # C
-        minus_coupler_acc_still_x = coupler_cos * t2
+        minus_C_closure_fx_by_D = t5 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
+        t9 = 1.0 / minus_C_closure_fx_by_D  # C
+        D_null_space_by_A = crank_lever_mz_by_C_fx * t9
+        rocker_rate_mz = gravity_z_rocker_mx * minus_rocker_sin
         coupler_omega_z = A_v + B_v
         minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z
-        C_opening_bias_fx = t27 - (minus_coupler_acc_still_x + 0.5 * minus_coupler_U_still_xx)
-        t30 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
-        minus_C_closure_fx_by_D = t30 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
-        t32 = 1.0 / minus_C_closure_fx_by_D  # C
-        D_joint_acc_still = C_opening_bias_fx * t32
-        t34 = C_opening_bias_fy + C_closure_fy_by_D * D_joint_acc_still  # coupler
-        coupler_rate_mz_2 = coupler_rate_mz - coupler_com_x * t34
-        t37 = B_at_z * (coupler_sin * (k7 * minus_coupler_U_still_xx) + coupler_cos * (k2 * t34))
-        minus_A_generalised_force = A_u + (minus_crank_rate_mz - (coupler_rate_mz_2 - t37))
+        t10 = 0.5 * minus_coupler_U_still_xx  # coupler
+        t11 = k6 * (D_v * D_v)  # rocker
+        t12 = rocker_cos * t11  # rocker
+        t13 = crank_sin * t12  # C
+        t14 = minus_rocker_sin * t11  # rocker
+        t16 = t13 + crank_cos * t14  # C
+        t17 = coupler_sin * t16  # C
+        t18 = B_at_z * (A_v * A_v)  # crank
+        t22 = t18 - (crank_cos * t12 - crank_sin * t14)  # C
+        minus_D_joint_acc_still = t9 * (t10 + (t17 + coupler_cos * t22))
+        t26 = D_null_space_by_A * (rocker_rate_mz - rocker_sxx * minus_D_joint_acc_still)  # A
         crank_lever_mz_by_C_fy = 0.5 + B_at_z * coupler_cos
-        D_null_space_by_A = B_at_z * coupler_sin * t32
-        t41 = crank_lever_mz_by_C_fy + C_closure_fy_by_D * D_null_space_by_A  # B
-        minus_B_null_space_by_A = 2.0 * t41
-        # A: free motion; inertia; accelerations
-        t43 = minus_A_generalised_force + minus_B_null_space_by_A * coupler_rate_mz_2
-        t45 = D_null_space_by_A * (gravity_z_rocker_mx * minus_rocker_sin + rocker_sxx * D_joint_acc_still)
-        A_reduced_force = t43 - t45
-        t47 = coupler_cos * (coupler_sxx * coupler_cos)  # coupler
-        A_mass_matrix_by_A = coupler_sxx - t47 + (k8 + (t47 + k10 * coupler_cos))
-        A_mass_matrix_by_B = coupler_sxx + k11 * coupler_cos
-        t52 = A_mass_matrix_by_A - minus_B_null_space_by_A * A_mass_matrix_by_B
-        t56 = t52 - minus_B_null_space_by_A * (A_mass_matrix_by_B - coupler_com_x * t41)
-        A_reduced_inertia_by_A = t56 + D_null_space_by_A * (rocker_sxx * D_null_space_by_A)
-        A_joint_acc = A_reduced_force / A_reduced_inertia_by_A
-        minus_B_joint_acc = 2.0 * t34 + minus_B_null_space_by_A * A_joint_acc
-        B_joint_acc = -minus_B_joint_acc
-        D_joint_acc = D_joint_acc_still + D_null_space_by_A * A_joint_acc
+        t28 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
+        C_closure_fy_by_D = t28 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
+        t31 = crank_lever_mz_by_C_fy + C_closure_fy_by_D * D_null_space_by_A
+        minus_B_null_space_by_A = 2.0 * t31
+        coupler_acc_still_y = coupler_sin * (t18 - gravity_z * crank_cos) - coupler_cos * (gravity_z * crank_sin)
+        coupler_rate_mz = k11 * coupler_acc_still_y
+        t39 = C_closure_fy_by_D * minus_D_joint_acc_still + (coupler_cos * t16 - coupler_sin * t22)  # coupler
+        coupler_rate_mz_2 = coupler_rate_mz + coupler_com_x * t39
+        t41 = minus_B_null_space_by_A * coupler_rate_mz_2  # A
+        minus_crank_rate_mz = k14 * crank_sin
+        t43 = B_at_z * (coupler_sin * (k11 * minus_coupler_U_still_xx) - coupler_cos * (k2 * t39))  # crank
+        minus_A_reduced_force = t26 - (t41 + (A_u + (minus_crank_rate_mz - (coupler_rate_mz_2 - t43))))
+        t49 = D_null_space_by_A * (rocker_sxx * D_null_space_by_A)  # D
+        A_mass_matrix_by_B = coupler_sxx + k13 * coupler_cos
+        t54 = minus_B_null_space_by_A * (A_mass_matrix_by_B + (A_mass_matrix_by_B - coupler_com_x * t31))  # A
+        A_reduced_inertia_by_A = t49 - (t54 - (k9 * coupler_cos + k12))
+        minus_A_joint_acc = minus_A_reduced_force / A_reduced_inertia_by_A
+        A_joint_acc = -minus_A_joint_acc
+        B_joint_acc = 2.0 * t39 + minus_B_null_space_by_A * minus_A_joint_acc
+        minus_D_joint_acc = minus_D_joint_acc_still + D_null_space_by_A * minus_A_joint_acc
+        D_joint_acc = -minus_D_joint_acc
         guards = (  # status 1 where a pivot is smaller than its limit:
             (minus_C_closure_fx_by_D, 3.01689e-06),  # where D does not move the loop at C
             (A_reduced_inertia_by_A, 3.264600000000001e-07),  # where A feels no inertia
         )
         return _finish(batch, ((A_joint_acc, B_joint_acc, D_joint_acc),), guards,
-            (minus_C_closure_fx_by_D, A_reduced_inertia_by_A, minus_B_joint_acc, D_joint_acc))
+            (minus_C_closure_fx_by_D, A_reduced_inertia_by_A, B_joint_acc, minus_D_joint_acc))
 
 
 def _forward_dynamics_dense(*arguments):
@@ -1641,48 +1629,47 @@ def _forward_dynamics_dense(*arguments):
         # B: geometry
         t1 = coupler_phase + B_q
         coupler_cos = np.cos(t1)
-        t3 = coupler_cos * (coupler_sxx * coupler_cos)  # coupler
-        A_mass_matrix_by_A = coupler_sxx - t3 + (k8 + (t3 + k10 * coupler_cos))
-        A_mass_matrix_by_B = coupler_sxx + k11 * coupler_cos
+        A_mass_matrix_by_A = k9 * coupler_cos + k12
+        A_mass_matrix_by_B = coupler_sxx + k13 * coupler_cos
         crank_sin = np.sin(A_q)
-        minus_crank_rate_mz = k12 * crank_sin
+        minus_crank_rate_mz = k14 * crank_sin
         coupler_sin = np.sin(t1)
-        t7 = B_at_z * (A_v * A_v)  # crank
+        t4 = B_at_z * (A_v * A_v)  # crank
         crank_cos = np.cos(A_q)
-        coupler_acc_still_y = coupler_sin * (t7 - gravity_z * crank_cos) - coupler_cos * (gravity_z * crank_sin)
-        coupler_rate_mz = k7 * coupler_acc_still_y
+        coupler_acc_still_y = coupler_sin * (t4 - gravity_z * crank_cos) - coupler_cos * (gravity_z * crank_sin)
+        coupler_rate_mz = k11 * coupler_acc_still_y
         coupler_omega_z = A_v + B_v
         minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z
         minus_crank_moment_z = (
-            minus_crank_rate_mz - (coupler_rate_mz - B_at_z * (coupler_sin * (k7 * minus_coupler_U_still_xx)))
+            minus_crank_rate_mz - (coupler_rate_mz - B_at_z * (coupler_sin * (k11 * minus_coupler_U_still_xx)))
         )
         minus_A_generalised_force = minus_crank_moment_z + A_u
         minus_coupler_rate_mz = -coupler_rate_mz
-        t13 = rocker_phase - D_q  # D
-        minus_rocker_sin = np.sin(t13)
-        rocker_rate_mz = gravity_z_rocker_mx * minus_rocker_sin
-        minus_rocker_rate_mz = -rocker_rate_mz
+        t10 = rocker_phase - D_q  # D
+        minus_rocker_sin = np.sin(t10)
+        minus_rocker_rate_mz = (-gravity_z_rocker_mx) * minus_rocker_sin
         crank_lever_mz_by_C_fx = B_at_z * coupler_sin
         crank_lever_mz_by_C_fy = 0.5 + B_at_z * coupler_cos
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
         minus_rocker_joint_force_mx_by_C_fz = k6 * minus_rocker_sin
-        t17 = minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz  # C
+        t14 = minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz  # C
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
-        rocker_cos = np.cos(t13)
+        rocker_cos = np.cos(t10)
         minus_rocker_joint_force_my_by_C_fz = k6 * rocker_cos
         # C: loop closure
-        C_closure_fx_by_D = t17 - coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz
-        t21 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz
-        C_closure_fy_by_D = t21 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
-        t23 = k6 * (D_v * D_v)  # rocker
-        t24 = rocker_cos * t23  # rocker
-        t25 = crank_cos * t24
-        t26 = minus_rocker_sin * t23  # rocker
-        t28 = t25 - crank_sin * t26
-        t29 = coupler_cos * t28
-        t32 = crank_sin * t24 + crank_cos * t26
-        C_opening_bias_fx = t29 - coupler_sin * t32 - (coupler_cos * t7 + 0.5 * minus_coupler_U_still_xx)
-        C_opening_bias_fy = coupler_sin * t7 - (coupler_sin * t28 + coupler_cos * t32)
+        C_closure_fx_by_D = t14 - coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz
+        t18 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz
+        C_closure_fy_by_D = t18 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
+        t20 = (-0.5) * minus_coupler_U_still_xx  # coupler
+        t21 = k6 * (D_v * D_v)  # rocker
+        t22 = rocker_cos * t21  # rocker
+        t23 = crank_sin * t22
+        t24 = minus_rocker_sin * t21  # rocker
+        t26 = t23 + crank_cos * t24
+        t27 = coupler_sin * t26
+        t31 = t4 - (crank_cos * t22 - crank_sin * t24)
+        C_opening_bias_fx = t20 - (t27 + coupler_cos * t31)
+        C_opening_bias_fy = coupler_sin * t31 - coupler_cos * t26
         guards = ()
         return _finish(batch, ((A_mass_matrix_by_A, A_mass_matrix_by_B, 0.0, A_mass_matrix_by_B,
             coupler_sxx, 0.0, 0.0, 0.0, rocker_sxx), (minus_A_generalised_force,
@@ -1690,7 +1677,7 @@ def _forward_dynamics_dense(*arguments):
             crank_lever_mz_by_C_fy, 0.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, C_closure_fx_by_D,
             C_closure_fy_by_D, 0.0, 0.0, 0.0), (C_opening_bias_fx, C_opening_bias_fy, 0.0, 0.0,
             0.0)), guards, (A_mass_matrix_by_A, A_mass_matrix_by_B, minus_A_generalised_force,
-            rocker_rate_mz, crank_lever_mz_by_C_fx, crank_lever_mz_by_C_fy, C_closure_fx_by_D,
+            minus_rocker_rate_mz, crank_lever_mz_by_C_fx, crank_lever_mz_by_C_fy, C_closure_fx_by_D,
             C_closure_fy_by_D, C_opening_bias_fx, C_opening_bias_fy))
 
 
@@ -1713,7 +1700,7 @@ def forward_dynamics(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations where no pivot is small: 118 (add 42, mul 63, div 2, trig 6, compare 5)
+    Operations where no pivot is small: 110 (add 39, mul 58, div 2, trig 6, compare 5)
     """
     settings = ((1.0, 1.0, 1.0,), (per_length, per_length, per_length, 1.0, 1.0,), 2, 1.0e-09)
     return _rank_revealing(_forward_dynamics_first, _forward_dynamics_dense, None, arguments,
@@ -1737,7 +1724,7 @@ def forward_dynamics_independent(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 117 (add 39, mul 65, div 2, trig 6, compare 5)
+    Operations: 109 (add 35, mul 61, div 2, trig 6, compare 5)
     """
     entries, batch = _entries("forward_dynamics_independent", {"q": 3, "y_dot": 1, "u": 1},
         arguments)
@@ -1745,65 +1732,59 @@ def forward_dynamics_independent(*arguments):
         A_q, B_q, D_q, A_y_dot, A_u,
     ) = entries
     with np.errstate(all="ignore"):
-        # crank: geometry; momentum rate, eq. (35); accelerations
+        # crank: geometry; reciprocal wrenches, eq. (10); loop closure
         crank_sin = np.sin(A_q)
-        minus_crank_rate_mz = k12 * crank_sin
         t1 = coupler_phase + B_q  # B
-        coupler_sin = np.sin(t1)
-        t2 = B_at_z * (A_y_dot * A_y_dot)
-        coupler_acc_still_y = coupler_sin * t2
-        crank_cos = np.cos(A_q)
-        t3 = rocker_phase - D_q  # D
-        rocker_cos = np.cos(t3)
-        crank_lever_mz_by_C_fx = B_at_z * coupler_sin
-        t4 = crank_lever_mz_by_C_fx * A_y_dot  # D
         coupler_cos = np.cos(t1)
-        coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
+        t2 = crank_sin * coupler_cos  # coupler
+        crank_cos = np.cos(A_q)
+        coupler_sin = np.sin(t1)
+        coupler_rotation_xx = t2 + crank_cos * coupler_sin
+        t4 = rocker_phase - D_q  # D
+        rocker_cos = np.cos(t4)
         minus_rocker_joint_force_my_by_C_fz = k6 * rocker_cos
-        t7 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
+        t5 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
-        minus_rocker_sin = np.sin(t3)
+        minus_rocker_sin = np.sin(t4)
         minus_rocker_joint_force_mx_by_C_fz = k6 * minus_rocker_sin
-        # C: loop closure; velocities, eq. (6)
-        minus_C_closure_fx_by_D = t7 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
-        t11 = 1.0 / minus_C_closure_fx_by_D
-        D_joint_rate = t4 * t11
-        t12 = k6 * (D_joint_rate * D_joint_rate)  # rocker
-        t13 = rocker_cos * t12  # rocker
-        t14 = crank_cos * t13
-        t15 = minus_rocker_sin * t12  # rocker
-        t17 = t14 - crank_sin * t15
-        t18 = coupler_sin * t17
-        t21 = crank_sin * t13 + crank_cos * t15
-        C_opening_bias_fy = coupler_acc_still_y - (t18 + coupler_cos * t21)
-        t24 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz
-        C_closure_fy_by_D = t24 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
-        t28 = coupler_cos * t17 - coupler_sin * t21
-        minus_coupler_acc_still_x = coupler_cos * t2
+        minus_C_closure_fx_by_D = t5 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
+        t9 = 1.0 / minus_C_closure_fx_by_D  # C
         crank_lever_mz_by_C_fy = 0.5 + B_at_z * coupler_cos
-        coupler_omega_z = A_y_dot - 2.0 * (crank_lever_mz_by_C_fy * A_y_dot + C_closure_fy_by_D * D_joint_rate)
+        t11 = crank_lever_mz_by_C_fy * A_y_dot  # B
+        t12 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
+        C_closure_fy_by_D = t12 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
+        crank_lever_mz_by_C_fx = B_at_z * coupler_sin
+        D_joint_rate = crank_lever_mz_by_C_fx * A_y_dot * t9
+        coupler_omega_z = A_y_dot - 2.0 * (t11 + C_closure_fy_by_D * D_joint_rate)
         minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z
-        D_joint_acc_still = t11 * (t28 - (minus_coupler_acc_still_x + 0.5 * minus_coupler_U_still_xx))
-        t36 = C_opening_bias_fy + C_closure_fy_by_D * D_joint_acc_still  # coupler
-        t37 = coupler_com_x * t36  # coupler
-        minus_coupler_acc_y = coupler_cos * (gravity_z * crank_sin) + coupler_sin * (gravity_z * crank_cos - t2)
-        minus_coupler_rate_mz_2 = t37 + k7 * minus_coupler_acc_y
-        t42 = B_at_z * (coupler_sin * (k7 * minus_coupler_U_still_xx) + coupler_cos * (k2 * t36))  # crank
-        # A: free motion; inertia; accelerations
-        minus_A_generalised_force = A_u + (minus_crank_rate_mz + (minus_coupler_rate_mz_2 + t42))
-        D_null_space_by_A = crank_lever_mz_by_C_fx * t11
-        t45 = crank_lever_mz_by_C_fy + C_closure_fy_by_D * D_null_space_by_A  # B
-        minus_B_null_space_by_A = 2.0 * t45
-        t47 = minus_A_generalised_force - minus_B_null_space_by_A * minus_coupler_rate_mz_2
-        t49 = D_null_space_by_A * (gravity_z_rocker_mx * minus_rocker_sin + rocker_sxx * D_joint_acc_still)
-        A_reduced_force = t47 - t49
-        t51 = coupler_cos * (coupler_sxx * coupler_cos)  # coupler
-        A_mass_matrix_by_A = coupler_sxx - t51 + (k8 + (t51 + k10 * coupler_cos))
-        A_mass_matrix_by_B = coupler_sxx + k11 * coupler_cos
-        t56 = A_mass_matrix_by_A - minus_B_null_space_by_A * A_mass_matrix_by_B
-        t60 = t56 - minus_B_null_space_by_A * (A_mass_matrix_by_B - coupler_com_x * t45)
-        A_reduced_inertia_by_A = t60 + D_null_space_by_A * (rocker_sxx * D_null_space_by_A)
-        A_joint_acc = A_reduced_force / A_reduced_inertia_by_A
+        t17 = 0.5 * minus_coupler_U_still_xx  # coupler
+        t18 = k6 * (D_joint_rate * D_joint_rate)  # rocker
+        t19 = rocker_cos * t18  # rocker
+        t20 = crank_sin * t19  # C
+        t21 = minus_rocker_sin * t18  # rocker
+        t23 = t20 + crank_cos * t21  # C
+        t24 = coupler_sin * t23  # C
+        t25 = B_at_z * (A_y_dot * A_y_dot)
+        t29 = t25 - (crank_cos * t19 - crank_sin * t21)  # C
+        minus_D_joint_acc_still = t9 * (t17 + (t24 + coupler_cos * t29))
+        minus_rocker_rate_mz = rocker_sxx * minus_D_joint_acc_still - gravity_z_rocker_mx * minus_rocker_sin
+        D_null_space_by_A = crank_lever_mz_by_C_fx * t9
+        t33 = minus_rocker_rate_mz * D_null_space_by_A  # A
+        t35 = crank_lever_mz_by_C_fy + C_closure_fy_by_D * D_null_space_by_A  # B
+        minus_B_null_space_by_A = 2.0 * t35
+        minus_coupler_acc_y = coupler_cos * (gravity_z * crank_sin) + coupler_sin * (gravity_z * crank_cos - t25)
+        minus_coupler_rate_mz = k11 * minus_coupler_acc_y
+        t43 = C_closure_fy_by_D * minus_D_joint_acc_still + (coupler_cos * t23 - coupler_sin * t29)  # coupler
+        minus_coupler_rate_mz_2 = minus_coupler_rate_mz - coupler_com_x * t43
+        t45 = minus_B_null_space_by_A * minus_coupler_rate_mz_2  # A
+        minus_crank_rate_mz = k14 * crank_sin
+        t47 = B_at_z * (coupler_sin * (k11 * minus_coupler_U_still_xx) - coupler_cos * (k2 * t43))
+        A_reduced_force = t33 - (t45 - (A_u + (minus_crank_rate_mz + (minus_coupler_rate_mz_2 + t47))))
+        t53 = D_null_space_by_A * (rocker_sxx * D_null_space_by_A)  # D
+        A_mass_matrix_by_B = coupler_sxx + k13 * coupler_cos
+        t58 = minus_B_null_space_by_A * (A_mass_matrix_by_B + (A_mass_matrix_by_B - coupler_com_x * t35))  # A
+        A_reduced_inertia_by_A = t53 - (t58 - (k9 * coupler_cos + k12))
+        A_joint_acc = A_reduced_force * (1.0 / A_reduced_inertia_by_A)
         guards = (  # status 1 where a pivot is smaller than its limit:
             (minus_C_closure_fx_by_D, 3.01689e-10),  # where D does not move the loop at C
             (A_reduced_inertia_by_A, 3.2646e-11),  # where A feels no inertia
@@ -1820,160 +1801,162 @@ def _forward_dynamics_reactions_first(*arguments):
         A_q, B_q, D_q, A_v, B_v, D_v, A_u,
     ) = entries
     with np.errstate(all="ignore"):
-        # crank: geometry; accelerations; balance, eqs. (40)-(47)
-        crank_sin = np.sin(A_q)
-        minus_crank_rate_mz = k12 * crank_sin
-        t1 = coupler_phase + B_q  # B
+        # B: geometry; rates that follow
+        t1 = coupler_phase + B_q
         coupler_sin = np.sin(t1)
-        minus_crank_U_still_xx = A_v * A_v
-        t2 = B_at_z * minus_crank_U_still_xx
-        crank_cos = np.cos(A_q)
-        t3 = t2 - gravity_z * crank_cos
-        t4 = coupler_sin * t3  # coupler
+        crank_lever_mz_by_C_fx = B_at_z * coupler_sin
+        crank_sin = np.sin(A_q)
         coupler_cos = np.cos(t1)
-        minus_crank_acc_y = gravity_z * crank_sin
-        coupler_rate_mz = k7 * (t4 - coupler_cos * minus_crank_acc_y)
-        coupler_acc_still_y_2 = coupler_sin * t2
-        t6 = rocker_phase - D_q  # D
-        rocker_cos = np.cos(t6)
-        minus_rocker_U_still_xx = D_v * D_v
-        t7 = k6 * minus_rocker_U_still_xx  # rocker
-        t8 = rocker_cos * t7  # rocker
-        t9 = crank_cos * t8  # C
-        minus_rocker_sin = np.sin(t6)
-        t10 = minus_rocker_sin * t7  # rocker
-        t12 = t9 - crank_sin * t10  # C
-        t13 = coupler_sin * t12  # C
-        t16 = crank_sin * t8 + crank_cos * t10  # C
-        C_opening_bias_fy = coupler_acc_still_y_2 - (t13 + coupler_cos * t16)
-        minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
+        t2 = crank_sin * coupler_cos  # coupler
+        crank_cos = np.cos(A_q)
+        coupler_rotation_xx = t2 + crank_cos * coupler_sin
+        t4 = rocker_phase - D_q  # D
+        rocker_cos = np.cos(t4)
         minus_rocker_joint_force_my_by_C_fz = k6 * rocker_cos
-        t21 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
-        coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
+        t5 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
+        minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
+        minus_rocker_sin = np.sin(t4)
         minus_rocker_joint_force_mx_by_C_fz = k6 * minus_rocker_sin
-        C_closure_fy_by_D = t21 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
-        t27 = coupler_cos * t12 - coupler_sin * t16  # C
-        minus_coupler_acc_still_x = coupler_cos * t2
+        minus_C_closure_fx_by_D = t5 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
+        t9 = 1.0 / minus_C_closure_fx_by_D  # C
+        D_null_space_by_A = crank_lever_mz_by_C_fx * t9
+        rocker_rate_mz = gravity_z_rocker_mx * minus_rocker_sin
         coupler_omega_z = A_v + B_v
         minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z
-        C_opening_bias_fx = t27 - (minus_coupler_acc_still_x + 0.5 * minus_coupler_U_still_xx)
-        t30 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
-        minus_C_closure_fx_by_D = t30 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
-        t32 = 1.0 / minus_C_closure_fx_by_D  # C
-        D_joint_acc_still = C_opening_bias_fx * t32
-        t34 = C_opening_bias_fy + C_closure_fy_by_D * D_joint_acc_still  # coupler
-        coupler_rate_mz_2 = coupler_rate_mz - coupler_com_x * t34
-        minus_coupler_rate_fx = k7 * minus_coupler_U_still_xx
-        minus_crank_force_y = coupler_sin * minus_coupler_rate_fx
-        minus_crank_moment_z = (
-            minus_crank_rate_mz - (coupler_rate_mz_2 - B_at_z * (minus_crank_force_y + coupler_cos * (k2 * t34)))
-        )
-        minus_A_generalised_force = A_u + minus_crank_moment_z
+        t10 = 0.5 * minus_coupler_U_still_xx  # coupler
+        minus_rocker_U_still_xx = D_v * D_v
+        t11 = k6 * minus_rocker_U_still_xx  # rocker
+        t12 = rocker_cos * t11  # rocker
+        t13 = crank_sin * t12  # C
+        t14 = minus_rocker_sin * t11  # rocker
+        t16 = t13 + crank_cos * t14  # C
+        t17 = coupler_sin * t16  # C
+        minus_crank_U_still_xx = A_v * A_v
+        t18 = B_at_z * minus_crank_U_still_xx  # crank
+        t22 = t18 - (crank_cos * t12 - crank_sin * t14)  # C
+        minus_D_joint_acc_still = t9 * (t10 + (t17 + coupler_cos * t22))
+        t26 = D_null_space_by_A * (rocker_rate_mz - rocker_sxx * minus_D_joint_acc_still)  # A
         crank_lever_mz_by_C_fy = 0.5 + B_at_z * coupler_cos
-        crank_lever_mz_by_C_fx = B_at_z * coupler_sin
-        D_null_space_by_A = crank_lever_mz_by_C_fx * t32
-        t41 = crank_lever_mz_by_C_fy + C_closure_fy_by_D * D_null_space_by_A  # B
-        minus_B_null_space_by_A = 2.0 * t41
+        t28 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
+        C_closure_fy_by_D = t28 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
+        t31 = crank_lever_mz_by_C_fy + C_closure_fy_by_D * D_null_space_by_A
+        minus_B_null_space_by_A = 2.0 * t31
+        t32 = t18 - gravity_z * crank_cos  # crank
+        t33 = coupler_sin * t32  # coupler
+        minus_crank_acc_y = gravity_z * crank_sin
+        coupler_rate_mz = k11 * (t33 - coupler_cos * minus_crank_acc_y)
+        t39 = C_closure_fy_by_D * minus_D_joint_acc_still + (coupler_cos * t16 - coupler_sin * t22)  # coupler
+        coupler_rate_mz_2 = coupler_rate_mz + coupler_com_x * t39
         # A: free motion; inertia; accelerations
-        t43 = minus_A_generalised_force + minus_B_null_space_by_A * coupler_rate_mz_2
-        t45 = D_null_space_by_A * (gravity_z_rocker_mx * minus_rocker_sin + rocker_sxx * D_joint_acc_still)
-        A_reduced_force = t43 - t45
-        t47 = coupler_cos * (coupler_sxx * coupler_cos)  # coupler
-        A_mass_matrix_by_A = coupler_sxx - t47 + (k8 + (t47 + k10 * coupler_cos))
-        A_mass_matrix_by_B = coupler_sxx + k11 * coupler_cos
-        t52 = A_mass_matrix_by_A - minus_B_null_space_by_A * A_mass_matrix_by_B
-        t56 = t52 - minus_B_null_space_by_A * (A_mass_matrix_by_B - coupler_com_x * t41)
-        A_reduced_inertia_by_A = t56 + D_null_space_by_A * (rocker_sxx * D_null_space_by_A)
-        A_joint_acc = A_reduced_force / A_reduced_inertia_by_A
-        minus_B_joint_acc = 2.0 * t34 + minus_B_null_space_by_A * A_joint_acc
-        B_joint_acc = -minus_B_joint_acc
-        D_joint_acc = D_joint_acc_still + D_null_space_by_A * A_joint_acc
+        t41 = minus_B_null_space_by_A * coupler_rate_mz_2
+        minus_crank_rate_mz = k14 * crank_sin
+        minus_coupler_rate_fx = k11 * minus_coupler_U_still_xx
+        minus_crank_force_y = coupler_sin * minus_coupler_rate_fx
+        t45 = minus_crank_rate_mz - (coupler_rate_mz_2 - B_at_z * (minus_crank_force_y - coupler_cos * (k2 * t39)))
+        minus_A_reduced_force = t26 - (t41 + (A_u + t45))
+        t49 = D_null_space_by_A * (rocker_sxx * D_null_space_by_A)  # D
+        A_mass_matrix_by_B = coupler_sxx + k13 * coupler_cos
+        t54 = minus_B_null_space_by_A * (A_mass_matrix_by_B + (A_mass_matrix_by_B - coupler_com_x * t31))
+        A_reduced_inertia_by_A = t49 - (t54 - (k9 * coupler_cos + k12))
+        minus_A_joint_acc = minus_A_reduced_force / A_reduced_inertia_by_A
+        A_joint_acc = -minus_A_joint_acc
+        B_joint_acc = 2.0 * t39 + minus_B_null_space_by_A * minus_A_joint_acc
+        minus_D_joint_acc = minus_D_joint_acc_still + D_null_space_by_A * minus_A_joint_acc
+        D_joint_acc = -minus_D_joint_acc
         crank_rate_fx = crank_m_gravity_z * crank_cos - crank_mx * minus_crank_U_still_xx
         # coupler: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
-        coupler_alpha_z = A_joint_acc - minus_B_joint_acc
-        t63 = coupler_sxx * coupler_alpha_z
-        t65 = minus_crank_acc_y - B_at_z * A_joint_acc
-        coupler_acc_y = t4 - coupler_cos * t65
-        C_multiplier_fy = 2.0 * (t63 + k7 * coupler_acc_y)
-        coupler_rate_fy = k7 * coupler_alpha_z
-        minus_coupler_sent_fy = C_multiplier_fy - (coupler_rate_fy + rocker_m * coupler_acc_y)
-        t69 = coupler_sin * minus_coupler_sent_fy
-        minus_coupler_rate_fx_2 = minus_coupler_rate_fx + rocker_m * (coupler_cos * t3 + coupler_sin * t65)
-        minus_coupler_joint_force_fy = minus_crank_force_y - coupler_cos * coupler_rate_fy
-        t74 = coupler_cos * C_multiplier_fy  # crank
-        t78 = A_u + (B_at_z * (minus_coupler_joint_force_fy + t74) + (minus_crank_rate_mz - k8 * A_joint_acc))  # C
-        minus_C_multiplier_fx = t78 / crank_lever_mz_by_C_fx
-        minus_coupler_sent_fx = minus_coupler_rate_fx_2 - minus_C_multiplier_fx
-        coupler_joint_sent_fx = t69 - coupler_cos * minus_coupler_sent_fx
+        minus_coupler_alpha_z = minus_A_joint_acc - B_joint_acc
+        t62 = coupler_sxx * minus_coupler_alpha_z
+        t64 = minus_crank_acc_y + B_at_z * minus_A_joint_acc
+        coupler_acc_y = t33 - coupler_cos * t64
+        minus_C_multiplier_fy = 2.0 * (t62 - k11 * coupler_acc_y)
+        t67 = coupler_cos * minus_C_multiplier_fy  # crank
+        minus_coupler_rate_fy = k11 * minus_coupler_alpha_z
+        t71 = B_at_z * (t67 - (minus_crank_force_y + coupler_cos * minus_coupler_rate_fy))  # crank
+        minus_C_multiplier_fx = (
+            (A_u - (t71 - (minus_crank_rate_mz + k8 * minus_A_joint_acc))) / crank_lever_mz_by_C_fx
+        )
+        coupler_sent_fx = (
+            minus_C_multiplier_fx - (minus_coupler_rate_fx + rocker_m * (coupler_cos * t32 + coupler_sin * t64))
+        )
+        t79 = coupler_cos * coupler_sent_fx
+        coupler_sent_fy = minus_C_multiplier_fy - (minus_coupler_rate_fy - rocker_m * coupler_acc_y)
+        coupler_joint_sent_fx = t79 - coupler_sin * coupler_sent_fy
         crank_sent_fx = crank_rate_fx + coupler_joint_sent_fx
-        t80 = crank_sin * crank_sent_fx  # crank
-        minus_crank_rate_fy = crank_m_gravity_z * crank_sin - crank_mx * A_joint_acc
-        minus_coupler_joint_sent_fy = coupler_cos * minus_coupler_sent_fy + coupler_sin * minus_coupler_sent_fx
-        minus_crank_sent_fy = minus_crank_rate_fy + minus_coupler_joint_sent_fy
-        crank_joint_sent_fy = t80 - crank_cos * minus_crank_sent_fy
-        crank_joint_sent_fx = crank_cos * crank_sent_fx + crank_sin * minus_crank_sent_fy
-        B_reaction_fx = crank_sin * coupler_joint_sent_fx - crank_cos * minus_coupler_joint_sent_fy
-        B_reaction_fz = crank_cos * coupler_joint_sent_fx + crank_sin * minus_coupler_joint_sent_fy
+        t83 = crank_sin * crank_sent_fx  # crank
+        coupler_joint_sent_fy = coupler_sin * coupler_sent_fx + coupler_cos * coupler_sent_fy
+        crank_sent_fy = coupler_joint_sent_fy - (crank_m_gravity_z * crank_sin + crank_mx * minus_A_joint_acc)
+        crank_joint_sent_fy = t83 + crank_cos * crank_sent_fy
+        crank_joint_sent_fx = crank_cos * crank_sent_fx - crank_sin * crank_sent_fy
+        B_reaction_fx = crank_sin * coupler_joint_sent_fx + crank_cos * coupler_joint_sent_fy
+        B_reaction_fz = crank_cos * coupler_joint_sent_fx - crank_sin * coupler_joint_sent_fy
         coupler_position_z = B_at_z * crank_cos
-        t92 = coupler_position_z * B_reaction_fx  # B
+        t96 = coupler_position_z * B_reaction_fx  # B
         coupler_position_x = B_at_z * crank_sin
-        B_reaction_my = t92 - coupler_position_x * B_reaction_fz
-        C_reaction_fx = minus_coupler_rotation_xy * C_multiplier_fy + coupler_rotation_xx * minus_C_multiplier_fx
-        C_reaction_fz = coupler_rotation_xx * C_multiplier_fy - minus_coupler_rotation_xy * minus_C_multiplier_fx
-        t100 = (coupler_position_z - 0.5 * minus_coupler_rotation_xy) * C_reaction_fx  # C
-        C_reaction_my = t100 - (coupler_position_x + 0.5 * coupler_rotation_xx) * C_reaction_fz
+        B_reaction_my = t96 - coupler_position_x * B_reaction_fz
+        C_reaction_fx = (
+            coupler_rotation_xx * minus_C_multiplier_fx - minus_coupler_rotation_xy * minus_C_multiplier_fy
+        )
+        minus_C_reaction_fz = (
+            minus_coupler_rotation_xy * minus_C_multiplier_fx + coupler_rotation_xx * minus_C_multiplier_fy
+        )
+        C_reaction_fz = -minus_C_reaction_fz
+        t104 = (coupler_position_z - 0.5 * minus_coupler_rotation_xy) * C_reaction_fx  # C
+        C_reaction_my = t104 + (coupler_position_x + 0.5 * coupler_rotation_xx) * minus_C_reaction_fz
         # rocker: momentum rate, eq. (35)
         minus_rocker_rate_fx_2 = rocker_mx * minus_rocker_U_still_xx - rocker_m_gravity_z * rocker_cos
         # rocker: balance, eqs. (40)-(47); momentum rate, eq. (35); pivots
-        t105 = minus_rocker_sin * minus_rocker_rate_fx_2
-        rocker_rate_fy_2 = rocker_m_gravity_z * minus_rocker_sin + rocker_mx * D_joint_acc
-        t108 = t105 + rocker_cos * rocker_rate_fy_2
-        t111 = coupler_sin * C_multiplier_fy + coupler_cos * minus_C_multiplier_fx
-        t112 = crank_sin * t111
-        t114 = t74 - coupler_sin * minus_C_multiplier_fx
-        rocker_joint_sent_fy = t108 - (t112 - crank_cos * t114)
-        t119 = rocker_cos * minus_rocker_rate_fx_2 - minus_rocker_sin * rocker_rate_fy_2
-        minus_rocker_joint_sent_fx = t119 + (crank_cos * t111 + crank_sin * t114)
+        t109 = minus_rocker_sin * minus_rocker_rate_fx_2
+        rocker_rate_fy = rocker_m_gravity_z * minus_rocker_sin - rocker_mx * minus_D_joint_acc
+        t112 = t109 + rocker_cos * rocker_rate_fy
+        t115 = coupler_sin * minus_C_multiplier_fy - coupler_cos * minus_C_multiplier_fx
+        t116 = crank_sin * t115
+        t118 = t67 + coupler_sin * minus_C_multiplier_fx
+        rocker_joint_sent_fy = t112 + (t116 - crank_cos * t118)
+        t123 = rocker_cos * minus_rocker_rate_fx_2 - minus_rocker_sin * rocker_rate_fy
+        minus_rocker_joint_sent_fx = t123 - (crank_cos * t115 + crank_sin * t118)
         rocker_joint_sent_fx = -minus_rocker_joint_sent_fx
         D_reaction_my = D_at_x * minus_rocker_joint_sent_fx
-        t123 = per_length_crank_m * coupler_sin  # coupler
-        t125 = 2.0 + t123 * t123  # coupler
-        t126 = per_length_crank_m * coupler_cos  # coupler
-        t129 = 1.0 + (t125 + t126 * t126)  # coupler
-        t130 = k13 * minus_rocker_sin
-        t132 = t129 + t130 * t130  # mechanism
-        t133 = k13 * rocker_cos
-        t136 = 1.0 + (t132 + t133 * t133)  # mechanism
+        t127 = per_length_crank_m * coupler_sin  # coupler
+        t129 = 2.0 + t127 * t127  # coupler
+        t130 = per_length_crank_m * coupler_cos  # coupler
+        t133 = 1.0 + (t129 + t130 * t130)  # coupler
+        t134 = k15 * minus_rocker_sin
+        t136 = t133 + t134 * t134  # mechanism
+        t137 = k15 * rocker_cos
+        t140 = 1.0 + (t136 + t137 * t137)  # mechanism
         crank_lever_mx_by_C_fz = 0.5 * coupler_sin
-        t137 = crank_cos * crank_lever_mx_by_C_fz  # crank
+        t141 = crank_cos * crank_lever_mx_by_C_fz  # crank
         minus_crank_lever_my_by_C_fz = B_at_z + 0.5 * coupler_cos
-        t139 = per_length * (t137 + crank_sin * minus_crank_lever_my_by_C_fz)  # base
-        t141 = t136 + t139 * t139  # mechanism
-        t144 = per_length * (crank_sin * crank_lever_mx_by_C_fz - crank_cos * minus_crank_lever_my_by_C_fz)  # base
-        pivot_0 = t141 + t144 * t144
-        # coupler: pivots
-        t146 = per_length * coupler_rotation_xx
-        t147 = t146 * t146
-        t148 = per_length * minus_coupler_rotation_xy
-        t149 = t148 * t148
-        t150 = per_length * coupler_cos
-        t151 = t150 * t150
-        t152 = per_length_squared + t151
-        t153 = per_length * coupler_sin
-        t154 = t153 * t153
-        t159 = t147 + (t149 + (t152 + t154 + t149 + t147))
+        t143 = per_length * (t141 + crank_sin * minus_crank_lever_my_by_C_fz)  # base
         # mechanism: pivots
-        t164 = t123 * t150 - t126 * t153 + t130 * t148
-        t170 = t164 - t133 * t146 - t139 * t148 + t144 * t146
-        t171 = 1.0 / pivot_0
-        pivot_1 = t159 - t170 * (t170 * t171)
-        t179 = t149 + (t147 + (t149 + (t147 + (t151 + (per_length_squared + t154)))))  # coupler
-        t184 = t123 * t153 + t126 * t150 - t130 * t146
-        t190 = t184 - t133 * t148 + t139 * t146 + t144 * t148
-        t191 = t190 * t171
-        t192 = t190 * t191
-        t193 = t170 * t191
-        pivot_2 = t179 - (t192 + t193 * (t193 / pivot_1))
+        t145 = t140 + t143 * t143
+        t148 = per_length * (crank_sin * crank_lever_mx_by_C_fz - crank_cos * minus_crank_lever_my_by_C_fz)  # base
+        pivot_0 = t145 + t148 * t148
+        t150 = per_length * minus_coupler_rotation_xy  # coupler
+        t151 = t134 - t143
+        t152 = t150 * t151
+        # coupler: pivots
+        t153 = per_length * coupler_rotation_xx
+        t154 = t137 - t148  # mechanism
+        t156 = t152 - t153 * t154  # mechanism
+        t157 = 1.0 / pivot_0  # mechanism
+        t159 = t156 * (t157 * t156)  # mechanism
+        t160 = per_length * coupler_cos
+        t161 = t160 * t160
+        t162 = per_length_squared + t161
+        t163 = per_length * coupler_sin
+        t164 = t163 * t163
+        t165 = t162 + t164
+        t169 = 2.0 * (t150 * t150 + t153 * t153)
+        minus_pivot_1 = t159 - (t165 + t169)
+        t173 = t161 + (per_length_squared + t164) + t169
+        t174 = t150 * t154  # mechanism
+        t180 = t174 - (t127 * t163 + t130 * t160 - t153 * t151)  # mechanism
+        t181 = t157 * t180  # mechanism
+        t182 = t180 * t181  # mechanism
+        t183 = t156 * t181  # mechanism
+        pivot_2 = t173 - (t182 - t183 * (t183 / minus_pivot_1))
         guards = (  # status 1 where a pivot is smaller than its limit:
             (minus_C_closure_fx_by_D, 3.01689e-06),  # where D does not move the loop at C
             (A_reduced_inertia_by_A, 3.264600000000001e-07),  # where A feels no inertia
@@ -1981,8 +1964,8 @@ def _forward_dynamics_reactions_first(*arguments):
             # crank, as in a stretched limb
             (pivot_0, 0.0001379),  # where step 0 of symmetric equations loses rank: of drives, inertia or internal
             # loads
-            (pivot_1, 0.00043948),  # where step 1 of symmetric equations loses rank: of drives, inertia or internal
-            # loads
+            (minus_pivot_1, 0.00043948),  # where step 1 of symmetric equations loses rank: of drives, inertia or
+            # internal loads
             (pivot_2, 0.00043948),  # where step 2 of symmetric equations loses rank: of drives, inertia or internal
             # loads
         )
@@ -1992,7 +1975,7 @@ def _forward_dynamics_reactions_first(*arguments):
             rocker_joint_sent_fy, 0.0, rocker_joint_sent_fx, 0.0, D_reaction_my, 0.0)), guards,
             (minus_C_closure_fx_by_D, A_reduced_inertia_by_A, crank_joint_sent_fy,
             crank_joint_sent_fx, B_reaction_my, C_reaction_my, rocker_joint_sent_fy, D_reaction_my,
-            pivot_0, pivot_1, pivot_2))
+            pivot_0, minus_pivot_1, pivot_2))
 
 
 def _forward_dynamics_reactions_dense(*arguments):
@@ -2006,48 +1989,47 @@ def _forward_dynamics_reactions_dense(*arguments):
         # B: geometry
         t1 = coupler_phase + B_q
         coupler_cos = np.cos(t1)
-        t3 = coupler_cos * (coupler_sxx * coupler_cos)  # coupler
-        A_mass_matrix_by_A = coupler_sxx - t3 + (k8 + (t3 + k10 * coupler_cos))
-        A_mass_matrix_by_B = coupler_sxx + k11 * coupler_cos
+        A_mass_matrix_by_A = k9 * coupler_cos + k12
+        A_mass_matrix_by_B = coupler_sxx + k13 * coupler_cos
         crank_sin = np.sin(A_q)
-        minus_crank_rate_mz = k12 * crank_sin
+        minus_crank_rate_mz = k14 * crank_sin
         coupler_sin = np.sin(t1)
-        t7 = B_at_z * (A_v * A_v)  # crank
+        t4 = B_at_z * (A_v * A_v)  # crank
         crank_cos = np.cos(A_q)
-        coupler_acc_still_y = coupler_sin * (t7 - gravity_z * crank_cos) - coupler_cos * (gravity_z * crank_sin)
-        coupler_rate_mz = k7 * coupler_acc_still_y
+        coupler_acc_still_y = coupler_sin * (t4 - gravity_z * crank_cos) - coupler_cos * (gravity_z * crank_sin)
+        coupler_rate_mz = k11 * coupler_acc_still_y
         coupler_omega_z = A_v + B_v
         minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z
         minus_crank_moment_z = (
-            minus_crank_rate_mz - (coupler_rate_mz - B_at_z * (coupler_sin * (k7 * minus_coupler_U_still_xx)))
+            minus_crank_rate_mz - (coupler_rate_mz - B_at_z * (coupler_sin * (k11 * minus_coupler_U_still_xx)))
         )
         minus_A_generalised_force = minus_crank_moment_z + A_u
         minus_coupler_rate_mz = -coupler_rate_mz
-        t13 = rocker_phase - D_q  # D
-        minus_rocker_sin = np.sin(t13)
-        rocker_rate_mz = gravity_z_rocker_mx * minus_rocker_sin
-        minus_rocker_rate_mz = -rocker_rate_mz
+        t10 = rocker_phase - D_q  # D
+        minus_rocker_sin = np.sin(t10)
+        minus_rocker_rate_mz = (-gravity_z_rocker_mx) * minus_rocker_sin
         crank_lever_mz_by_C_fx = B_at_z * coupler_sin
         crank_lever_mz_by_C_fy = 0.5 + B_at_z * coupler_cos
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
         minus_rocker_joint_force_mx_by_C_fz = k6 * minus_rocker_sin
-        t17 = minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz  # C
+        t14 = minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz  # C
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
-        rocker_cos = np.cos(t13)
+        rocker_cos = np.cos(t10)
         minus_rocker_joint_force_my_by_C_fz = k6 * rocker_cos
         # C: loop closure
-        C_closure_fx_by_D = t17 - coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz
-        t21 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz
-        C_closure_fy_by_D = t21 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
-        t23 = k6 * (D_v * D_v)  # rocker
-        t24 = rocker_cos * t23  # rocker
-        t25 = crank_cos * t24
-        t26 = minus_rocker_sin * t23  # rocker
-        t28 = t25 - crank_sin * t26
-        t29 = coupler_cos * t28
-        t32 = crank_sin * t24 + crank_cos * t26
-        C_opening_bias_fx = t29 - coupler_sin * t32 - (coupler_cos * t7 + 0.5 * minus_coupler_U_still_xx)
-        C_opening_bias_fy = coupler_sin * t7 - (coupler_sin * t28 + coupler_cos * t32)
+        C_closure_fx_by_D = t14 - coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz
+        t18 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz
+        C_closure_fy_by_D = t18 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
+        t20 = (-0.5) * minus_coupler_U_still_xx  # coupler
+        t21 = k6 * (D_v * D_v)  # rocker
+        t22 = rocker_cos * t21  # rocker
+        t23 = crank_sin * t22
+        t24 = minus_rocker_sin * t21  # rocker
+        t26 = t23 + crank_cos * t24
+        t27 = coupler_sin * t26
+        t31 = t4 - (crank_cos * t22 - crank_sin * t24)
+        C_opening_bias_fx = t20 - (t27 + coupler_cos * t31)
+        C_opening_bias_fy = coupler_sin * t31 - coupler_cos * t26
         guards = ()
         return _finish(batch, ((A_mass_matrix_by_A, A_mass_matrix_by_B, 0.0, A_mass_matrix_by_B,
             coupler_sxx, 0.0, 0.0, 0.0, rocker_sxx), (minus_A_generalised_force,
@@ -2055,7 +2037,7 @@ def _forward_dynamics_reactions_dense(*arguments):
             crank_lever_mz_by_C_fy, 0.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, C_closure_fx_by_D,
             C_closure_fy_by_D, 0.0, 0.0, 0.0), (C_opening_bias_fx, C_opening_bias_fy, 0.0, 0.0,
             0.0)), guards, (A_mass_matrix_by_A, A_mass_matrix_by_B, minus_A_generalised_force,
-            rocker_rate_mz, crank_lever_mz_by_C_fx, crank_lever_mz_by_C_fy, C_closure_fx_by_D,
+            minus_rocker_rate_mz, crank_lever_mz_by_C_fx, crank_lever_mz_by_C_fy, C_closure_fx_by_D,
             C_closure_fy_by_D, C_opening_bias_fx, C_opening_bias_fy))
 
 
@@ -2078,14 +2060,14 @@ def _forward_dynamics_reactions_wrenches(*arguments):
         # coupler: geometry; momentum rate, eq. (35); balance, eqs. (40)-(47)
         coupler_cos = np.cos(t3)
         coupler_omega_z = A_v + B_v
-        minus_coupler_rate_fx = k7 * (coupler_omega_z * coupler_omega_z)
+        minus_coupler_rate_fx = k11 * (coupler_omega_z * coupler_omega_z)
         t5 = B_at_z * minus_crank_U_still_xx - gravity_z * crank_cos  # crank
         t6 = coupler_cos * t5
         coupler_sin = np.sin(t3)
         t8 = B_at_z * A_a - gravity_z * crank_sin
         minus_coupler_sent_fx = minus_coupler_rate_fx + rocker_m * (t6 - coupler_sin * t8) + multipliers_0
         t11 = coupler_cos * minus_coupler_sent_fx
-        coupler_rate_fy = k7 * (A_a + B_a)
+        coupler_rate_fy = k11 * (A_a + B_a)
         coupler_sent_fy = coupler_rate_fy + rocker_m * (coupler_sin * t5 + coupler_cos * t8) - multipliers_1
         minus_coupler_joint_sent_fx = t11 + coupler_sin * coupler_sent_fy
         crank_sent_fx = crank_rate_fx - minus_coupler_joint_sent_fx
@@ -2108,74 +2090,66 @@ def _forward_dynamics_reactions_wrenches(*arguments):
         t32 = crank_cos * minus_coupler_joint_sent_mx  # crank
         minus_crank_joint_sent_mx = t32 - crank_sin * minus_crank_sent_my
         crank_joint_sent_mx = -minus_crank_joint_sent_mx
-        # B: reactions, eq. (32)
-        t36 = crank_sin * minus_coupler_joint_sent_fx + crank_cos * minus_coupler_joint_sent_fy
+        t36 = crank_sin * minus_coupler_joint_sent_fx + crank_cos * minus_coupler_joint_sent_fy  # B
         B_reactions_fx = -t36
-        t39 = crank_cos * minus_coupler_joint_sent_fx - crank_sin * minus_coupler_joint_sent_fy
+        t39 = crank_cos * minus_coupler_joint_sent_fx - crank_sin * minus_coupler_joint_sent_fy  # B
         B_reactions_fz = -t39
         coupler_position_z = B_at_z * crank_cos
         B_reactions_mx = coupler_position_z * multipliers_2 - (t27 + crank_cos * minus_coupler_joint_sent_my)
         coupler_position_x = B_at_z * crank_sin
         B_reactions_my = coupler_position_x * t39 - coupler_position_z * t36
-        t48 = t32 - crank_sin * minus_coupler_joint_sent_my + coupler_position_x * multipliers_2
-        B_reactions_mz = -t48
+        B_reactions_mz = crank_sin * minus_coupler_joint_sent_my - t32 - coupler_position_x * multipliers_2
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
         # C: reactions, eq. (32)
-        t51 = coupler_rotation_xx * multipliers_0
+        t50 = coupler_rotation_xx * multipliers_0
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
-        t55 = t51 - minus_coupler_rotation_xy * multipliers_1
-        C_reactions_fx = -t55
+        t54 = t50 - minus_coupler_rotation_xy * multipliers_1
+        C_reactions_fx = -t54
         C_reactions_fz = minus_coupler_rotation_xy * multipliers_0 + coupler_rotation_xx * multipliers_1
-        t59 = coupler_position_z - 0.5 * minus_coupler_rotation_xy  # coupler
-        t60 = t59 * multipliers_2
-        C_reactions_mx = t60 - (coupler_rotation_xx * multipliers_3 - minus_coupler_rotation_xy * multipliers_4)
-        t64 = t59 * t55
-        t66 = coupler_position_x + 0.5 * coupler_rotation_xx  # coupler
-        t68 = t64 + t66 * C_reactions_fz
-        C_reactions_my = -t68
-        t71 = minus_coupler_rotation_xy * multipliers_3 + coupler_rotation_xx * multipliers_4
-        C_reactions_mz = t71 - t66 * multipliers_2
-        t73 = rocker_phase - D_q  # D
+        t58 = coupler_position_z - 0.5 * minus_coupler_rotation_xy  # coupler
+        t59 = t58 * multipliers_2
+        C_reactions_mx = t59 - (coupler_rotation_xx * multipliers_3 - minus_coupler_rotation_xy * multipliers_4)
+        t63 = t58 * t54
+        t65 = coupler_position_x + 0.5 * coupler_rotation_xx  # coupler
+        t67 = t63 + t65 * C_reactions_fz
+        C_reactions_my = -t67
+        t70 = minus_coupler_rotation_xy * multipliers_3 + coupler_rotation_xx * multipliers_4
+        C_reactions_mz = t70 - t65 * multipliers_2
+        t72 = rocker_phase - D_q  # D
         # rocker: geometry; momentum rate, eq. (35)
-        minus_rocker_sin = np.sin(t73)
+        minus_rocker_sin = np.sin(t72)
         minus_rocker_rate_fx = rocker_mx * (D_v * D_v)
-        rocker_cos = np.cos(t73)
+        rocker_cos = np.cos(t72)
         minus_rocker_rate_fx_2 = minus_rocker_rate_fx - rocker_m_gravity_z * rocker_cos
         # rocker: balance, eqs. (40)-(47); momentum rate, eq. (35)
-        t75 = minus_rocker_sin * minus_rocker_rate_fx_2
+        t74 = minus_rocker_sin * minus_rocker_rate_fx_2
         rocker_rate_fy_2 = rocker_mx * D_a + rocker_m_gravity_z * minus_rocker_sin
-        t78 = t75 + rocker_cos * rocker_rate_fy_2
-        t81 = coupler_cos * multipliers_0 - coupler_sin * multipliers_1
-        t82 = crank_sin * t81
-        t85 = coupler_sin * multipliers_0 + coupler_cos * multipliers_1
-        rocker_joint_sent_fy = t78 + (t82 + crank_cos * t85)
-        t90 = rocker_cos * minus_rocker_rate_fx_2 - minus_rocker_sin * rocker_rate_fy_2
-        minus_rocker_joint_sent_fx = t90 - (crank_cos * t81 - crank_sin * t85)
+        t77 = t74 + rocker_cos * rocker_rate_fy_2
+        t80 = coupler_cos * multipliers_0 - coupler_sin * multipliers_1
+        t81 = crank_sin * t80
+        t84 = coupler_sin * multipliers_0 + coupler_cos * multipliers_1
+        rocker_joint_sent_fy = t77 + (t81 + crank_cos * t84)
+        t89 = rocker_cos * minus_rocker_rate_fx_2 - minus_rocker_sin * rocker_rate_fy_2
+        minus_rocker_joint_sent_fx = t89 - (crank_cos * t80 - crank_sin * t84)
         rocker_joint_sent_fx = -minus_rocker_joint_sent_fx
-        t95 = t24 - coupler_sin * multipliers_4
-        t96 = crank_sin * t95
-        t98 = t28 + coupler_cos * multipliers_4
-        rocker_joint_sent_my = t96 + crank_cos * t98 - k6 * rocker_cos * multipliers_2
+        t94 = t24 - coupler_sin * multipliers_4
+        t95 = crank_sin * t94
+        t97 = t28 + coupler_cos * multipliers_4
+        rocker_joint_sent_my = t95 + crank_cos * t97 - k6 * rocker_cos * multipliers_2
         D_reactions_my = D_at_x * minus_rocker_joint_sent_fx
-        rocker_joint_sent_mx = crank_cos * t95 - crank_sin * t98 - k6 * minus_rocker_sin * multipliers_2
+        rocker_joint_sent_mx = crank_cos * t94 - crank_sin * t97 - k6 * minus_rocker_sin * multipliers_2
         D_reactions_mz = rocker_joint_sent_mx + D_at_x * multipliers_2
-        t107 = per_length * minus_crank_joint_sent_mx  # crank
-        sized_3 = -t107
-        t108 = per_length * minus_crank_joint_sent_my  # crank
-        sized_4 = -t108
+        # mechanism: results
+        sized_3 = (-per_length) * minus_crank_joint_sent_mx
+        sized_4 = (-per_length) * minus_crank_joint_sent_my
         coupler_joint_sent_fx = -minus_coupler_joint_sent_fx
         coupler_joint_sent_fy = -minus_coupler_joint_sent_fy
-        t109 = per_length * minus_coupler_joint_sent_mx  # coupler
-        # mechanism: results
-        sized_9 = -t109
-        t110 = per_length * minus_coupler_joint_sent_my  # coupler
-        sized_10 = -t110
+        sized_9 = (-per_length) * minus_coupler_joint_sent_mx
+        sized_10 = (-per_length) * minus_coupler_joint_sent_my
         C_joint_reaction_fx = -multipliers_0
         C_joint_reaction_fy = -multipliers_1
-        t111 = per_length * multipliers_3
-        sized_15 = -t111
-        t112 = per_length * multipliers_4
-        sized_16 = -t112
+        sized_15 = (-per_length) * multipliers_3
+        sized_16 = (-per_length) * multipliers_4
         sized_21 = per_length * rocker_joint_sent_mx
         sized_22 = per_length * rocker_joint_sent_my
         guards = ()
@@ -2189,9 +2163,10 @@ def _forward_dynamics_reactions_wrenches(*arguments):
             coupler_joint_sent_fy, C_joint_reaction_fz, sized_9, sized_10, 0.0, C_joint_reaction_fx,
             C_joint_reaction_fy, C_joint_reaction_fz, sized_15, sized_16, 0.0, rocker_joint_sent_fx,
             rocker_joint_sent_fy, multipliers_2, sized_21, sized_22, 0.0)), guards,
-            (crank_joint_sent_fy, crank_joint_sent_fx, B_reactions_mx, B_reactions_my, t48,
-            C_reactions_mx, t68, C_reactions_mz, rocker_joint_sent_fy, D_reactions_my,
-            D_reactions_mz, t107, t108, t109, t110, t111, t112, sized_21, sized_22, A_u))
+            (crank_joint_sent_fy, crank_joint_sent_fx, B_reactions_mx, B_reactions_my,
+            B_reactions_mz, C_reactions_mx, t67, C_reactions_mz, rocker_joint_sent_fy,
+            D_reactions_my, D_reactions_mz, sized_3, sized_4, sized_9, sized_10, sized_15, sized_16,
+            sized_21, sized_22, A_u))
 
 
 def forward_dynamics_reactions(*arguments):
@@ -2220,7 +2195,7 @@ def forward_dynamics_reactions(*arguments):
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations where no pivot is small: 315 (add 126, mul 165, div 5, trig 6, compare 13)
+    Operations where no pivot is small: 294 (add 115, mul 155, div 5, trig 6, compare 13)
     Note: overconstrained: 3 internal loads undetermined, minimum-norm values are taken (moments divided
       by the characteristic length 0.301689 m); not unique: fy, mx, mz of C, B, D, A
     """
@@ -2383,19 +2358,19 @@ def inverse_kinematics(*arguments):
         t3 = D_at_x - k6 * np.sin(t1)
         t5 = t2 + t3 * t3
         t6 = 1.0 / t5
-        t7 = t5 - k14
-        minus_crank_lever_my_by_C_fz = B_at_z + k15 * t7
+        t7 = t5 - k16
+        minus_crank_lever_my_by_C_fz = B_at_z + k17 * t7
         t8 = t3 * minus_crank_lever_my_by_C_fz  # crank
         t9 = 0.5 * t7
-        t11 = k16 - t9 * t9
+        t11 = k18 - t9 * t9
         t12 = np.sqrt(t11)
         t14 = np.where(0.0 != 0.0, -t12, t12)
-        crank_lever_mx_by_C_fz = k17 * t14
+        crank_lever_mx_by_C_fz = k19 * t14
         crank_sin = t6 * (t8 - minus_rocker_joint_force_my_by_C_fz * crank_lever_mx_by_C_fz)
         t17 = minus_rocker_joint_force_my_by_C_fz * minus_crank_lever_my_by_C_fz  # crank
         A_q = np.arctan2(crank_sin, t6 * (t17 + t3 * crank_lever_mx_by_C_fz))
-        t22 = k18 * t14 - k19 * t7
-        B_q = np.arctan2(t22, 4.0 * t7 + k20 * t14)
+        t22 = k20 * t14 - k21 * t7
+        B_q = np.arctan2(t22, 4.0 * t7 + k22 * t14)
         guards = ()
         return _finish(batch, ((A_q, B_q, D_pose),), guards, (A_q, B_q, D_pose), ((t11, 0.0, None,
             11),))
@@ -2428,13 +2403,13 @@ def drive_positions(*arguments):
         t3 = D_at_x - k6 * np.sin(t1)
         t5 = t2 + t3 * t3
         t6 = 1.0 / t5
-        t7 = t5 - k14
-        minus_crank_lever_my_by_C_fz = B_at_z + k15 * t7
+        t7 = t5 - k16
+        minus_crank_lever_my_by_C_fz = B_at_z + k17 * t7
         t8 = t3 * minus_crank_lever_my_by_C_fz  # crank
         t9 = 0.5 * t7
-        t11 = k16 - t9 * t9
+        t11 = k18 - t9 * t9
         t12 = np.sqrt(t11)
-        crank_lever_mx_by_C_fz = k17 * np.where(0.0 != 0.0, -t12, t12)
+        crank_lever_mx_by_C_fz = k19 * np.where(0.0 != 0.0, -t12, t12)
         crank_sin = t6 * (t8 - minus_rocker_joint_force_my_by_C_fz * crank_lever_mx_by_C_fz)
         t17 = minus_rocker_joint_force_my_by_C_fz * minus_crank_lever_my_by_C_fz  # crank
         A_positions = np.arctan2(crank_sin, t6 * (t17 + t3 * crank_lever_mx_by_C_fz))
@@ -2458,7 +2433,7 @@ def inverse_velocity(*arguments):
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
       11 out of reach: limb A does not get there; all outputs are NaN
-    Operations: 57 (add 17, mul 30, div 2, sqrt 1, trig 2, compare 5)
+    Operations: 56 (add 16, mul 30, div 2, sqrt 1, trig 2, compare 5)
     """
     entries, batch = _entries("inverse_velocity", {"pose": 1, "rate": 1}, arguments)
     (
@@ -2474,16 +2449,16 @@ def inverse_velocity(*arguments):
         minus_rocker_sin = np.sin(t1)
         t3 = D_at_x - k6 * minus_rocker_sin
         t5 = t2 + t3 * t3
-        t6 = t5 - k14
-        coupler_cos = k17 * t6
+        t6 = t5 - k16
+        coupler_cos = k19 * t6
         t7 = 1.0 / t5
-        minus_crank_lever_my_by_C_fz = B_at_z + k15 * t6
+        minus_crank_lever_my_by_C_fz = B_at_z + k17 * t6
         t8 = minus_rocker_joint_force_my_by_C_fz * minus_crank_lever_my_by_C_fz  # crank
         t9 = 0.5 * t6
-        t11 = k16 - t9 * t9
+        t11 = k18 - t9 * t9
         t12 = np.sqrt(t11)
         t14 = np.where(0.0 != 0.0, -t12, t12)
-        crank_lever_mx_by_C_fz = k17 * t14
+        crank_lever_mx_by_C_fz = k19 * t14
         crank_cos = t7 * (t8 + t3 * crank_lever_mx_by_C_fz)
         t17 = k6 * D_rate  # D
         t18 = minus_rocker_sin * t17  # C
@@ -2493,20 +2468,19 @@ def inverse_velocity(*arguments):
         t23 = rocker_cos * t17  # C
         t25 = t19 + crank_sin * t23  # C
         t26 = coupler_cos * t25  # C
-        coupler_sin = k21 * t14
+        coupler_sin = k23 * t14
         t29 = crank_sin * t18 - crank_cos * t23  # C
         minus_C_opening_rate_fx = t26 - coupler_sin * t29
         crank_lever_mz_by_C_fx = 2.0 * t14
         crank_omega_z = minus_C_opening_rate_fx / crank_lever_mz_by_C_fx
-        t34 = coupler_sin * t25 + coupler_cos * t29 + (t5 + k22) * crank_omega_z  # B
-        t35 = 2.0 * t34  # B
-        B_v = -t35
+        t34 = coupler_sin * t25 + coupler_cos * t29 + (t5 + k24) * crank_omega_z  # B
+        B_v = (-2.0) * t34
         guards = (  # status 1 where a pivot is smaller than its limit:
             (crank_lever_mz_by_C_fx, 3.01689e-10),  # where the reciprocal wrench C.fx has no power along crank, as
             # in a stretched limb
         )
         return _finish(batch, ((crank_omega_z, B_v, D_rate),), guards, (crank_lever_mz_by_C_fx,
-            t35), ((t11, 0.0, None, 11),))
+            B_v), ((t11, 0.0, None, 11),))
 
 
 def inverse_dynamics_platform(*arguments):
@@ -2527,7 +2501,7 @@ def inverse_dynamics_platform(*arguments):
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
       11 out of reach: limb A does not get there; all outputs are NaN
-    Operations: 145 (add 45, mul 87, div 3, sqrt 1, trig 2, compare 7)
+    Operations: 141 (add 44, mul 84, div 3, sqrt 1, trig 2, compare 7)
     """
     entries, batch = _entries("inverse_dynamics_platform", {"pose": 1, "rate": 1, "acceleration":
         1}, arguments)
@@ -2540,77 +2514,73 @@ def inverse_dynamics_platform(*arguments):
         # rocker: geometry; balance, eqs. (40)-(47)
         rocker_cos = np.cos(t1)
         minus_rocker_joint_force_my_by_C_fz = k6 * rocker_cos
-        # rocker: reciprocal wrenches, eq. (10); geometry; loop closure
+        # rocker: reciprocal wrenches, eq. (10); geometry; balance, eqs. (40)-(47)
         t2 = minus_rocker_joint_force_my_by_C_fz * minus_rocker_joint_force_my_by_C_fz
         minus_rocker_sin = np.sin(t1)
         minus_rocker_joint_force_mx_by_C_fz = k6 * minus_rocker_sin
         t3 = D_at_x - minus_rocker_joint_force_mx_by_C_fz
         t5 = t2 + t3 * t3
-        t6 = t5 - k14
+        t6 = t5 - k16
         t7 = 0.5 * t6
-        t9 = k16 - t7 * t7
+        t9 = k18 - t7 * t7
         t10 = np.sqrt(t9)
         t12 = np.where(0.0 != 0.0, -t10, t10)
         crank_lever_mz_by_C_fx = 2.0 * t12
         rocker_rate_mz_2 = gravity_z_rocker_mx * minus_rocker_sin + rocker_sxx * D_acc
         t14 = 1.0 / t5
-        minus_crank_lever_my_by_C_fz = B_at_z + k15 * t6
+        minus_crank_lever_my_by_C_fz = B_at_z + k17 * t6
         t15 = t3 * minus_crank_lever_my_by_C_fz  # crank
-        crank_lever_mx_by_C_fz = k17 * t12
+        crank_lever_mx_by_C_fz = k19 * t12
         crank_sin = t14 * (t15 - minus_rocker_joint_force_my_by_C_fz * crank_lever_mx_by_C_fz)
-        coupler_sin = k21 * t12
+        coupler_sin = k23 * t12
         minus_C_part_fx_by_A = 1.0 / crank_lever_mz_by_C_fx
-        coupler_cos = k17 * t6
+        coupler_cos = k19 * t6
         t18 = minus_rocker_joint_force_my_by_C_fz * minus_crank_lever_my_by_C_fz  # crank
         crank_cos = t14 * (t18 + t3 * crank_lever_mx_by_C_fz)
-        t21 = k6 * (D_rate * D_rate)
-        t22 = rocker_cos * t21
-        t23 = k6 * D_acc  # D
-        # C: loop closure; balance, eqs. (40)-(47)
-        t25 = t22 - minus_rocker_sin * t23
-        t26 = crank_cos * t25
-        t29 = minus_rocker_sin * t21 + rocker_cos * t23
-        t31 = t26 - crank_sin * t29
-        t32 = coupler_cos * t31
-        t35 = crank_sin * t25 + crank_cos * t29
-        t37 = t32 - coupler_sin * t35
-        t38 = k6 * D_rate  # D
-        t39 = minus_rocker_sin * t38
-        t40 = crank_cos * t39
-        t41 = rocker_cos * t38
-        t43 = t40 + crank_sin * t41
-        t44 = coupler_cos * t43
-        t47 = crank_sin * t39 - crank_cos * t41
-        crank_omega_z = (t44 - coupler_sin * t47) * minus_C_part_fx_by_A
-        t49 = B_at_z * (crank_omega_z * crank_omega_z)  # crank
-        minus_coupler_acc_x = coupler_cos * t49
-        C_opening_rate_fy = coupler_sin * t43 + coupler_cos * t47
-        crank_lever_mz_by_C_fy = t5 + k22
+        t21 = k6 * D_rate  # D
+        t22 = minus_rocker_sin * t21  # C
+        t23 = crank_cos * t22  # C
+        t24 = rocker_cos * t21  # C
+        t26 = t23 + crank_sin * t24  # C
+        t27 = coupler_cos * t26  # C
+        t30 = crank_sin * t22 - crank_cos * t24  # C
+        crank_omega_z = (t27 - coupler_sin * t30) * minus_C_part_fx_by_A
+        C_opening_rate_fy = coupler_sin * t26 + coupler_cos * t30
+        crank_lever_mz_by_C_fy = t5 + k24
         coupler_omega_z = crank_omega_z - 2.0 * (C_opening_rate_fy + crank_lever_mz_by_C_fy * crank_omega_z)
         minus_coupler_U_xx = coupler_omega_z * coupler_omega_z
-        minus_crank_alpha_z = minus_C_part_fx_by_A * (t37 - (minus_coupler_acc_x + 0.5 * minus_coupler_U_xx))
-        C_opening_bias_fy = coupler_sin * t49 - (coupler_sin * t31 + coupler_cos * t35)
-        minus_coupler_alpha_z = (
-            minus_crank_alpha_z + 2.0 * (C_opening_bias_fy - crank_lever_mz_by_C_fy * minus_crank_alpha_z)
-        )
-        t63 = coupler_sxx * minus_coupler_alpha_z  # coupler
-        t65 = coupler_sin * (t49 - gravity_z * crank_cos)  # coupler
-        t69 = k7 * (t65 - coupler_cos * (gravity_z * crank_sin + B_at_z * minus_crank_alpha_z))  # coupler
-        minus_C_multiplier_fy = 2.0 * (t63 - t69)
-        t70 = coupler_sin * minus_C_multiplier_fy  # rocker
-        t71 = crank_sin * t70  # rocker
-        t72 = coupler_cos * minus_C_multiplier_fy  # rocker
-        t75 = minus_rocker_joint_force_my_by_C_fz * (t71 - crank_cos * t72)  # rocker
+        t37 = 0.5 * minus_coupler_U_xx  # coupler
+        t38 = k6 * (D_rate * D_rate)
+        t39 = rocker_cos * t38
+        t40 = k6 * D_acc  # D
+        t42 = t39 - minus_rocker_sin * t40  # C
+        t43 = crank_sin * t42  # C
+        t46 = minus_rocker_sin * t38 + rocker_cos * t40  # C
+        t48 = t43 + crank_cos * t46  # C
+        t49 = coupler_sin * t48  # C
+        t50 = B_at_z * (crank_omega_z * crank_omega_z)  # crank
+        t54 = t50 - (crank_cos * t42 - crank_sin * t46)  # C
+        crank_alpha_z = minus_C_part_fx_by_A * (t37 + (t49 + coupler_cos * t54))
+        t62 = 2.0 * (crank_lever_mz_by_C_fy * crank_alpha_z - (coupler_cos * t48 - coupler_sin * t54))  # coupler
+        coupler_alpha_z = crank_alpha_z - t62
+        t63 = coupler_sxx * coupler_alpha_z  # coupler
+        t65 = coupler_sin * (t50 - gravity_z * crank_cos)  # coupler
+        t69 = k11 * (t65 - coupler_cos * (gravity_z * crank_sin - B_at_z * crank_alpha_z))  # coupler
+        C_multiplier_fy = 2.0 * (t63 + t69)
+        t70 = coupler_sin * C_multiplier_fy
+        t71 = crank_sin * t70
+        t72 = coupler_cos * C_multiplier_fy
+        t75 = minus_rocker_joint_force_my_by_C_fz * (t71 - crank_cos * t72)
         rocker_joint_force_mz = (
-            rocker_rate_mz_2 + (t75 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * t70 + crank_sin * t72))
+            rocker_rate_mz_2 - (t75 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * t70 + crank_sin * t72))
         )
-        t83 = minus_rocker_joint_force_my_by_C_fz * (crank_sin * coupler_cos + crank_cos * coupler_sin)
+        t83 = minus_rocker_joint_force_my_by_C_fz * (crank_sin * coupler_cos + crank_cos * coupler_sin)  # C
         minus_C_closure_fx_by_D = (
             t83 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * coupler_cos - crank_sin * coupler_sin)
         )
         t87 = crank_lever_mz_by_C_fx * (rocker_joint_force_mz / minus_C_closure_fx_by_D)  # A
-        t90 = coupler_sin * (k7 * minus_coupler_U_xx) + coupler_cos * (k7 * minus_coupler_alpha_z) - t72  # crank
-        A_balance = t87 - (B_at_z * t90 + (k8 * minus_crank_alpha_z + k12 * crank_sin))
+        t93 = B_at_z * (t72 + k11 * (coupler_sin * minus_coupler_U_xx - coupler_cos * coupler_alpha_z))  # A
+        A_balance = t87 - (t93 + (k14 * crank_sin - k8 * crank_alpha_z))
         guards = (  # status 1 where a pivot is smaller than its limit:
             (crank_lever_mz_by_C_fx, 3.01689e-10),  # where the reciprocal wrench C.fx has no power along crank, as
             # in a stretched limb
@@ -2671,14 +2641,13 @@ def _assemble_step(*arguments):
         t49 = t48 * t48
         t50 = per_length * minus_C_opening_fy
         residual_residual = np.sqrt(t49 + t50 * t50)
-        t53 = 0.5 * minus_C_closure_fx_by_D
-        orientation_orientation = -t53
+        orientation_orientation = (-0.5) * minus_C_closure_fx_by_D
         guards = (  # status 1 where a pivot is smaller than its limit:
             (minus_C_closure_fx_by_D, 3.01689e-13),  # where D does not move the loop at C
         )
         return _finish(batch, ((A_q_next, B_q_next, D_q_next), (residual_residual,), (step_step,),
             (orientation_orientation,)), guards, (step_step, A_q_next, B_q_next, D_q_next,
-            residual_residual, t53))
+            residual_residual, orientation_orientation))
 
 
 def assemble(*arguments):
@@ -2698,7 +2667,7 @@ def assemble(*arguments):
       3 not converged: the loops could not be closed from this guess; all outputs are NaN
       4 other branch: the loops close only on another assembly branch than the guess; all outputs are
         NaN
-    Operations of one Newton step (at most 25 per substep): 85 (add 31, mul 38, div 2, sqrt 2, trig 6,
+    Operations of one Newton step (at most 25 per substep): 84 (add 30, mul 38, div 2, sqrt 2, trig 6,
     compare 6)
     Note: independent coordinates y: A
     Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
@@ -2725,7 +2694,7 @@ def limb_margins(*arguments):
     ) = entries
     with np.errstate(all="ignore"):
         # rocker: results
-        rocker_margins = k23 * np.sin(coupler_phase + B_q)
+        rocker_margins = k25 * np.sin(coupler_phase + B_q)
         guards = ()
         return _finish(batch, ((rocker_margins,),), guards, (rocker_margins, A_q, D_q))
 
@@ -2741,36 +2710,37 @@ def constraint_margin(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 39 (add 10, mul 22, trig 6, compare 1)
+    Operations: 38 (add 10, mul 21, trig 6, compare 1)
     """
     entries, batch = _entries("constraint_margin", {"q": 3}, arguments)
     (
         A_q, B_q, D_q,
     ) = entries
     with np.errstate(all="ignore"):
-        # B: geometry
-        t1 = coupler_phase + B_q
-        coupler_sin = np.sin(t1)
-        t2 = k23 * coupler_sin  # coupler
-        t3 = t2 * t2  # coupler
-        t4 = per_length_B_at_z * coupler_sin  # coupler
+        # crank: geometry
         crank_sin = np.sin(A_q)
-        t5 = crank_sin * coupler_sin  # coupler
-        crank_cos = np.cos(A_q)
+        t1 = coupler_phase + B_q  # B
         coupler_cos = np.cos(t1)
-        minus_coupler_rotation_xy = t5 - crank_cos * coupler_cos
-        t7 = rocker_phase - D_q  # D
-        minus_rocker_joint_force_my_by_C_fz = k6 * np.cos(t7)
-        t8 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
-        coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
-        minus_rocker_joint_force_mx_by_C_fz = k6 * np.sin(t7)
-        t13 = t4 * (per_length * (t8 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz))  # rocker
-        t14 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
-        minus_C_closure_fx_by_D = t14 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
-        t20 = t13 + per_length * minus_C_closure_fx_by_D * (per_length * (0.5 + B_at_z * coupler_cos))  # rocker
-        t22 = t3 + t20 * t20  # rocker
-        t23 = k24 * minus_C_closure_fx_by_D  # C
-        rocker_margins = t22 + t23 * t23
+        t2 = crank_sin * coupler_cos  # coupler
+        crank_cos = np.cos(A_q)
+        coupler_sin = np.sin(t1)
+        coupler_rotation_xx = t2 + crank_cos * coupler_sin
+        t4 = rocker_phase - D_q  # D
+        minus_rocker_joint_force_my_by_C_fz = k6 * np.cos(t4)
+        t5 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
+        minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
+        minus_rocker_joint_force_mx_by_C_fz = k6 * np.sin(t4)
+        minus_C_closure_fx_by_D = t5 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
+        t9 = k26 * minus_C_closure_fx_by_D  # C
+        t10 = t9 * t9  # C
+        t11 = k25 * coupler_sin  # coupler
+        t12 = t11 * t11  # coupler
+        t13 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
+        t16 = (
+            per_length_B_at_z * (coupler_sin * (t13 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz))
+        )  # rocker
+        t21 = per_length * (t16 + minus_C_closure_fx_by_D * (per_length * (0.5 + B_at_z * coupler_cos)))  # rocker
+        rocker_margins = t10 + (t12 + t21 * t21)
         guards = ()
         return _finish(batch, ((rocker_margins,),), guards, (rocker_margins,))
 
@@ -2786,24 +2756,24 @@ def actuation_margins(*arguments):
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-    Operations: 21 (add 5, mul 9, trig 6, compare 1)
+    Operations: 19 (add 5, mul 7, trig 6, compare 1)
     """
     entries, batch = _entries("actuation_margins", {"q": 3}, arguments)
     (
         A_q, B_q, D_q,
     ) = entries
     with np.errstate(all="ignore"):
-        # crank: geometry
+        # D: geometry
+        t1 = rocker_phase - D_q
+        rocker_cos = np.cos(t1)
         crank_sin = np.sin(A_q)
-        t1 = coupler_phase + B_q  # B
-        coupler_cos = np.cos(t1)
-        t2 = crank_sin * coupler_cos  # coupler
+        t2 = coupler_phase + B_q  # B
+        coupler_cos = np.cos(t2)
+        t3 = crank_sin * coupler_cos  # coupler
         crank_cos = np.cos(A_q)
-        coupler_sin = np.sin(t1)
-        coupler_rotation_xx = t2 + crank_cos * coupler_sin
-        t4 = rocker_phase - D_q  # D
-        t5 = coupler_rotation_xx * (k6 * np.cos(t4))  # C
-        t8 = (crank_sin * coupler_sin - crank_cos * coupler_cos) * (k6 * np.sin(t4))  # C
-        all_drives_margins = k24 * (t5 - t8)
+        coupler_sin = np.sin(t2)
+        t5 = rocker_cos * (t3 + crank_cos * coupler_sin)  # all drives
+        t9 = t5 - np.sin(t1) * (crank_sin * coupler_sin - crank_cos * coupler_cos)  # all drives
+        all_drives_margins = k27 * t9
         guards = ()
         return _finish(batch, ((all_drives_margins,),), guards, (all_drives_margins,))

@@ -106,7 +106,7 @@ FOUR_BAR_UNUSED static const double
     coupler_Iyy = 0.025, /* [kg m^2] inertia, absolute axes, of coupler: 1/40 */
     coupler_com_x = 0.2, /* [m] centre of mass, absolute axes, of coupler, also at_x of coupler_middle: 1/5 */
     coupler_phase = 0.9272952180016122, /* [rad] what is added to the coordinate of coupler: atan2(C_at_x /
-        crank_m, k7 / crank_m) */
+        crank_m, k11 / crank_m) */
     coupler_sxx = 0.1, /* [kg m^2] second moment (sum of m r r), link axes, of coupler */
     crank_Ixx = 0.0009375, /* [kg m^2] inertia, absolute axes, of crank, also Iyy of crank: 3/3200 */
     crank_com_z = 0.075, /* [m] centre of mass, absolute axes, of crank: 3/40 */
@@ -120,7 +120,6 @@ FOUR_BAR_UNUSED static const double
     per_length_crank_m = 1.6573358657425363, /* [1/m] per_length * 0.5; also [kg/m] per_length * crank_m */
     per_length_squared = 10.987048687506249, /* [1/m^2] 1 over the square of the characteristic length */
     rocker_Iyy = 0.02601, /* [kg m^2] inertia, absolute axes, of rocker: 2601/100000 */
-    rocker_com_x = 0.52, /* [m] centre of mass, absolute axes, of rocker: 13/25 */
     rocker_com_z = 0.225, /* [m] centre of mass, absolute axes, of rocker: 9/40 */
     rocker_m = 1.2, /* [kg] mass of rocker, coupler: 6/5 */
     rocker_m_gravity_z = 11.772, /* [N] rocker_m * gravity_z */
@@ -131,41 +130,46 @@ FOUR_BAR_UNUSED static const double
     rocker_sxx = 0.10404, /* [kg m^2] second moment (sum of m r r), link axes, of rocker: rocker_Iyy + rocker_mx
         * (0.05647058823529412 + 0.19852941176470587) */
     k1 = 0.8, /* [m/kg] C_at_x / crank_m; also [m] 2 * C_at_x */
-    k2 = 0.6, /* k7 / crank_m */
+    k2 = 0.6, /* k11 / crank_m */
     k3 = 0.47058823529411764, /* [1] (D_at_x - C_at_x) / sqrt(0.2601) */
     k4 = 0.8823529411764706, /* [1] C_at_z / sqrt(0.2601) */
-    k5 = 0.25, /* [m^2] C_at_x * C_at_x + k7 * k7 */
+    k5 = 0.25, /* [m^2] C_at_x * C_at_x + k11 * k11 */
     k6 = 0.51, /* [m] sqrt(0.24 * 0.24 + C_at_z * C_at_z) */
-    k7 = 0.3, /* [m] centre of mass, absolute axes, of coupler, also at_z of coupler_middle: 3/10; also [kg m]
+    k7 = 0.12, /* [m] D_at_x - rocker_com_x */
+    k8 = 0.03075, /* [kg m^2] crank_sxx + 0.6 * k11 * B_at_z */
+    k9 = 0.09, /* k11 * k11 */
+    k10 = 0.18, /* k11 / crank_m * k11 */
+    k11 = 0.3, /* [m] centre of mass, absolute axes, of coupler, also at_z of coupler_middle: 3/10; also [kg m]
         first moment, link axes, of coupler */
-    k8 = 0.03075, /* [kg m^2] crank_sxx + 0.6 * k7 * B_at_z */
-    k9 = 0.18, /* k7 / crank_m * k7 */
-    k10 = 0.09, /* k7 * k7 */
-    k11 = 0.045, /* B_at_z * k7 */
-    k12 = 2.133675, /* 0.2175 * gravity_z */
-    k13 = 1.690482583057387, /* [1] per_length * sqrt(0.0576 + 0.2025) */
-    k14 = 0.2725, /* [m^2] B_at_z * B_at_z + C_at_x * C_at_x + k7 * k7 */
-    k15 = 3.3333333333333335, /* [1/m] crank_com_z / (B_at_z * B_at_z) */
-    k16 = 0.005625, /* [m^4] B_at_z * B_at_z * (C_at_x * C_at_x + k7 * k7) */
-    k17 = 6.666666666666667, /* [1/m] 1 / B_at_z */
-    k18 = 8.0, /* k7 / crank_m * 44.44444444444444 * crank_com_z / 0.25 */
-    k19 = 5.333333333333333, /* [1/kg] C_at_x / crank_m / B_at_z; also [1] 2 * C_at_x / B_at_z */
-    k20 = 10.666666666666666, /* [1/(kg m^2)] C_at_x / crank_m * 44.44444444444444 * crank_com_z / 0.25; also
+    k12 = 0.13075, /* [kg m^2] coupler_sxx + 0.03075 */
+    k13 = 0.045, /* B_at_z * k11 */
+    k14 = 2.133675, /* 0.2175 * gravity_z */
+    k15 = 1.690482583057387, /* [1] per_length * sqrt(0.0576 + 0.2025) */
+    k16 = 0.2725, /* [m^2] B_at_z * B_at_z + C_at_x * C_at_x + k11 * k11 */
+    k17 = 3.3333333333333335, /* [1/m] crank_com_z / (B_at_z * B_at_z) */
+    k18 = 0.005625, /* [m^4] B_at_z * B_at_z * (C_at_x * C_at_x + k11 * k11) */
+    k19 = 6.666666666666667, /* [1/m] 1 / B_at_z */
+    k20 = 8.0, /* k11 / crank_m * 44.44444444444444 * crank_com_z / 0.25 */
+    k21 = 5.333333333333333, /* [1/kg] C_at_x / crank_m / B_at_z; also [1] 2 * C_at_x / B_at_z */
+    k22 = 10.666666666666666, /* [1/(kg m^2)] C_at_x / crank_m * 44.44444444444444 * crank_com_z / 0.25; also
         [1/m^2] 2 * C_at_x * 44.44444444444444 * crank_com_z / 0.25; also [1/kg] C_at_x / crank_m * 4 *
         44.44444444444444 * crank_com_z; also [1] 2 * C_at_x * 4 * 44.44444444444444 * crank_com_z */
-    k21 = 13.333333333333334, /* [1/m^3] crank_com_z / 0.0225 / (0.16 + 0.09); also [1/m] 4 * crank_com_z /
+    k23 = 13.333333333333334, /* [1/m^3] crank_com_z / 0.0225 / (0.16 + 0.09); also [1/m] 4 * crank_com_z /
         0.0225 */
-    k22 = 0.2275, /* of the mechanism */
-    k23 = 0.8240286515629687, /* [1/m] per_length * 0.5 * per_length * B_at_z; also [kg/m] per_length * crank_m *
+    k24 = 0.2275, /* of the mechanism */
+    k25 = 0.8240286515629687, /* [1/m] per_length * 0.5 * per_length * B_at_z; also [kg/m] per_length * crank_m *
         per_length * B_at_z */
-    k24 = 5.4935243437531245; /* [1/m^2] per_length * 0.5 * per_length; also [kg/m^2] per_length * crank_m *
+    k26 = 5.4935243437531245, /* [1/m^2] per_length * 0.5 * per_length; also [kg/m^2] per_length * crank_m *
         per_length */
+    k27 = 2.8016974153140937; /* [1/m] per_length * 0.5 * per_length * sqrt(0.0576 + 0.2025); also [kg/m]
+        per_length * crank_m * per_length * sqrt(0.0576 + 0.2025) */
 /* They are made of these, too, which no statement reads:
    C_at_x = 0.4 [m] point, absolute axes, of C: 2/5
    C_at_z = 0.45 [m] point, absolute axes, of C: 9/20
-   crank_m = 0.5 [kg] mass of crank; also [m] sqrt(C_at_x * C_at_x + k7 * k7)
+   crank_m = 0.5 [kg] mass of crank; also [m] sqrt(C_at_x * C_at_x + k11 * k11)
    crank_sxx = 0.00375 [kg m^2] second moment (sum of m r r), link axes, of crank: crank_Ixx + crank_mx *
-       crank_com_z */
+       crank_com_z
+   rocker_com_x = 0.52 [m] centre of mass, absolute axes, of rocker: 13/25 */
 
 static inline FOUR_BAR_INLINE void four_bar_angles0(size_t stride, size_t pitch, const double *restrict q,
     double *restrict angle)

@@ -17,54 +17,52 @@ STAGE(body_poses, 0)(size_t limb, size_t stride, const double *restrict q, doubl
 {
     (void)limb, (void)stride;
     const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0), each_k1 = sign1 * k1, each_k1_2 = -sign1 * k1,
-      factor_2 = sign1 * 0.5, sign2 = OF4(1.0, 1.0, -1.0, -1.0), each_param_R = sign2 * param_R,
-      each_param_R_2 = -sign2 * param_R, each_param_R_3 = -sign1 * param_R, factor_3 = -sign1 * 0.5,
-      each_param_H = -sign1 * param_H, sign3 = OF4(1.0, -1.0, -1.0, 1.0);
-    const LIMB4 lower_cos = IN_EACH4(SINES, cosine, 1, 2), t26 = sign1 * lower_cos,
-      U_0_cos = IN_EACH4(SINES, cosine, 0, 2);
+      sign2 = OF4(1.0, 1.0, -1.0, -1.0), each_param_R = sign2 * param_R, each_param_R_2 = -sign2 * param_R,
+      factor_2 = -sign1 * 0.5, each_param_R_3 = -sign1 * param_R, sign3 = OF4(1.0, -1.0, -1.0, 1.0);
+    const LIMB4 t25 = sign1 * IN_EACH4(SINES, cosine, 0, 2), lower_cos = IN_EACH4(SINES, cosine, 1, 2);
     /* each limb: geometry */
-    const LIMB4 lower_rotation_zx = U_0_cos * t26, signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2),
-      signed_lower_rotation_yx = signed_U_0_sin * t26, signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
+    const LIMB4 lower_rotation_zx = t25 * lower_cos, signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
     /* each limb: results; geometry */
-    const LIMB4 t5 = 0.5 * lower_rotation_zx, t27 = sign1 * signed_lower_sin,
-      signed_lower_rotation_zy = U_0_cos * t27, signed_lower_poses_Rzx = t5 - each_k1 * signed_lower_rotation_zy;
-    WRITE4(poses, 14, 41, 62, 89, sign2 * signed_lower_poses_Rzx);
-    WRITE4(poses, 26, 53, 74, 101, sign2 * signed_lower_poses_Rzx);
-    const LIMB4 t13 = factor_2 * signed_lower_rotation_zy, lower_poses_z = param_R * signed_lower_poses_Rzx;
+    const LIMB4 t5 = (-0.5) * lower_rotation_zx, t24 = sign1 * signed_lower_sin, signed_lower_rotation_zy = t25 *
+        t24,
+      signed_lower_poses_Rzx = t5 + k1 * signed_lower_rotation_zy;
+    WRITE4(poses, 14, 41, 62, 89, -sign2 * signed_lower_poses_Rzx);
+    WRITE4(poses, 26, 53, 74, 101, -sign2 * signed_lower_poses_Rzx);
+    const LIMB4 t13 = 0.5 * signed_lower_rotation_zy, lower_poses_z = (-param_R) * signed_lower_poses_Rzx;
     WRITE4(poses, 23, 47, 71, 95, lower_poses_z);
     LIMB4 checked = lower_poses_z;
-    const LIMB4 t23 = 0.5 * signed_lower_poses_Rzx, lower_poses_Rzz = k1 * lower_rotation_zx + t13;
+    const LIMB4 t21 = 0.5 * signed_lower_poses_Rzx, lower_poses_Rzz = k1 * lower_rotation_zx + t13;
     WRITE4(poses, 20, 44, 68, 92, lower_poses_Rzz);
     WRITE4(poses, 32, 56, 80, 104, lower_poses_Rzz);
-    const LIMB4 t25 = t23 - param_H * lower_poses_Rzz, upper_offset_x = IN_EACH4(READ, q, 2, 3) + limb_upper_phase,
-      upper_poses_z = upper_offset_x * lower_rotation_zx + t25;
+    const LIMB4 t23 = t21 + param_H * lower_poses_Rzz, upper_offset_x = IN_EACH4(READ, q, 2, 3) + limb_upper_phase,
+      upper_poses_z = upper_offset_x * lower_rotation_zx - t23;
     WRITE4(poses, 35, 59, 83, 107, upper_poses_z);
     checked = checked + upper_poses_z;
-    const LIMB4 t3 = 0.5 * signed_lower_rotation_yx, signed_lower_rotation_yy = signed_U_0_sin * t27,
-      t9 = (-k1) * signed_lower_rotation_yx, t29 = sign1 * (upper_offset_x * signed_lower_rotation_yx),
-      signed_upper_position_x = t27 * upper_offset_x + each_param_R_3,
-      signed_lower_poses_Ryx = t3 - each_k1 * signed_lower_rotation_yy;
-    WRITE4(poses, 13, 39, 61, 87, -sign3 * signed_lower_poses_Ryx);
-    WRITE4(poses, 25, 51, 73, 99, -sign3 * signed_lower_poses_Ryx);
-    const LIMB4 t11 = t9 - factor_2 * signed_lower_rotation_yy;
-    WRITE4(poses, 19, 42, 67, 90, sign1 * t11);
-    WRITE4(poses, 31, 54, 79, 102, sign1 * t11);
-    const LIMB4 t20 = each_param_H * t11, t15 = each_param_R_3 * signed_lower_poses_Ryx;
-    WRITE4(poses, 22, 45, 70, 93, t15);
-    checked = checked + t15;
-    const LIMB4 t22 = t20 - sign1 * (0.5 * signed_lower_poses_Ryx) - t29;
-    WRITE4(poses, 34, 57, 82, 105, t22);
-    checked = checked + t22;
+    const LIMB4 signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2), signed_lower_rotation_yy = signed_U_0_sin * t24,
+      signed_upper_position_x = t24 * upper_offset_x + each_param_R_3, t10 = 0.5 * signed_lower_rotation_yy,
+      t4 = k1 * signed_lower_rotation_yy, minus_lower_rotation_yx = signed_U_0_sin * lower_cos,
+      minus_upper_position_y = upper_offset_x * minus_lower_rotation_yx, t11 = k1 * minus_lower_rotation_yx + t10;
+    WRITE4(poses, 19, 42, 67, 90, -t11);
+    WRITE4(poses, 31, 54, 79, 102, -t11);
+    const LIMB4 t18 = param_H * t11, lower_poses_Ryx = 0.5 * minus_lower_rotation_yx - t4;
+    WRITE4(poses, 13, 39, 61, 87, -sign2 * lower_poses_Ryx);
+    WRITE4(poses, 25, 51, 73, 99, -sign2 * lower_poses_Ryx);
+    const LIMB4 lower_poses_y = (-param_R) * lower_poses_Ryx;
+    WRITE4(poses, 22, 45, 70, 93, lower_poses_y);
+    checked = checked + lower_poses_y;
+    const LIMB4 upper_poses_y = t18 - 0.5 * lower_poses_Ryx - minus_upper_position_y;
+    WRITE4(poses, 34, 57, 82, 105, upper_poses_y);
+    checked = checked + upper_poses_y;
     const LIMB4 lower_poses_Rxx = 0.5 * signed_lower_sin + each_k1 * lower_cos;
     WRITE4(poses, 12, 40, 60, 88, lower_poses_Rxx);
     WRITE4(poses, 24, 52, 72, 100, lower_poses_Rxx);
-    const LIMB4 t16 = factor_3 * lower_poses_Rxx, lower_poses_x = each_param_R * lower_poses_Rxx + each_param_R_2;
+    const LIMB4 t15 = factor_2 * lower_poses_Rxx, lower_poses_x = each_param_R * lower_poses_Rxx + each_param_R_2;
     WRITE4(poses, 21, 46, 69, 94, lower_poses_x);
     checked = checked + lower_poses_x;
     const LIMB4 signed_lower_poses_Rxz = each_k1_2 * signed_lower_sin + 0.5 * lower_cos;
     WRITE4(poses, 18, 43, 66, 91, -sign3 * signed_lower_poses_Rxz);
     WRITE4(poses, 30, 55, 78, 103, -sign3 * signed_lower_poses_Rxz);
-    const LIMB4 signed_upper_poses_x = t16 - param_H * signed_lower_poses_Rxz - signed_upper_position_x;
+    const LIMB4 signed_upper_poses_x = t15 - param_H * signed_lower_poses_Rxz - signed_upper_position_x;
     WRITE4(poses, 33, 58, 81, 106, -sign3 * signed_upper_poses_x);
     checked = checked + signed_upper_poses_x;
     OWN(checked) = checked;
@@ -264,28 +262,29 @@ STAGE(body_twist_rates, 0)(size_t limb, size_t stride, const double *restrict v,
     (void)limb, (void)stride;
     const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, -1.0, 1.0),
       sign3 = OF4(1.0, -1.0, 1.0, -1.0);
-    const LIMB4 U_v_0 = IN_EACH4(READ, v, 0, 3), U_v_1 = IN_EACH4(READ, v, 1, 3), U_a_1 = IN_EACH4(READ, a, 1, 3);
-    /* each limb: accelerations; geometry; velocities, eq. (6) */
-    const LIMB4 signed_lower_twist_rate_vz = U_a_1 * signed_U_1_screw_vz - U_v_1 * (U_v_0 * signed_U_1_screw_vy);
+    const LIMB4 signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2), lower_cos = IN_EACH4(SINES, cosine, 1, 2),
+      t33 = sign1 * (signed_U_0_sin * lower_cos), U_v_0 = IN_EACH4(READ, v, 0, 3), U_v_1 = IN_EACH4(READ, v, 1, 3),
+      U_0_cos = IN_EACH4(SINES, cosine, 0, 2);
+    /* each limb: accelerations; velocities, eq. (6); geometry */
+    const LIMB4 t26 = U_v_0 * t33, lower_twist_wy = U_v_1 * U_0_cos, signed_lower_sin = IN_EACH4(SINES, sine, 1, 2),
+      P_v = IN_EACH4(READ, v, 2, 3), U_a_1 = IN_EACH4(READ, a, 1, 3),
+      t29 = P_v * (t26 + signed_lower_sin * lower_twist_wy),
+      signed_lower_twist_rate_vz = U_a_1 * signed_U_1_screw_vz - U_v_1 * (U_v_0 * signed_U_1_screw_vy);
     WRITE4(twist_rates, 11, 23, 35, 47, -sign2 * signed_lower_twist_rate_vz);
-    const LIMB4 U_0_cos = IN_EACH4(SINES, cosine, 0, 2), lower_cos = IN_EACH4(SINES, cosine, 1, 2),
-      t33 = sign1 * signed_lower_twist_rate_vz, signed_lower_rotation_zx = U_0_cos * lower_cos,
-      P_a = IN_EACH4(READ, a, 2, 3), signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2),
-      t25 = t33 - P_a * signed_lower_rotation_zx, minus_lower_rotation_yx = signed_U_0_sin * lower_cos,
-      t26 = U_v_0 * minus_lower_rotation_yx, t32 = sign1 * IN_EACH4(SINES, sine, 1, 2),
-      lower_twist_wy = U_v_1 * U_0_cos, P_v = IN_EACH4(READ, v, 2, 3),
-      signed_upper_twist_rate_vz = t25 + P_v * (t26 + t32 * lower_twist_wy);
-    WRITE4(twist_rates, 17, 29, 41, 53, -sign3 * signed_upper_twist_rate_vz);
+    const LIMB4 t32 = sign1 * IN_EACH4(READ, a, 2, 3), signed_lower_rotation_zx = U_0_cos * lower_cos,
+      t14 = signed_lower_rotation_zx * lower_twist_wy,
+      signed_upper_twist_rate_vz = t32 * signed_lower_rotation_zx - signed_lower_twist_rate_vz - t29;
+    WRITE4(twist_rates, 17, 29, 41, 53, sign2 * signed_upper_twist_rate_vz);
     LIMB4 checked = signed_upper_twist_rate_vz;
-    const LIMB4 t14 = signed_lower_rotation_zx * lower_twist_wy, t21 = U_v_0 * signed_lower_rotation_zx,
+    const LIMB4 t21 = U_v_0 * signed_lower_rotation_zx,
       lower_twist_rate_vy = sign1 * (U_a_1 * signed_U_1_screw_vy) + sign1 * (U_v_1 * (U_v_0 * signed_U_1_screw_vz));
     WRITE4(twist_rates, 10, 21, 34, 45, lower_twist_rate_vy);
-    const LIMB4 t19 = lower_twist_rate_vy - P_a * minus_lower_rotation_yx,
-      signed_lower_twist_wz = U_v_1 * signed_U_0_sin, t16 = t14 + minus_lower_rotation_yx * signed_lower_twist_wz,
-      upper_twist_rate_vy = t19 + P_v * (t32 * signed_lower_twist_wz - t21);
+    const LIMB4 t19 = lower_twist_rate_vy - t32 * t33, t13 = t32 * signed_lower_sin,
+      t34 = sign1 * (U_v_1 * signed_U_0_sin), t16 = t14 + t33 * t34,
+      upper_twist_rate_vy = t19 + P_v * (signed_lower_sin * t34 - t21);
     WRITE4(twist_rates, 16, 27, 40, 51, upper_twist_rate_vy);
     checked = checked + upper_twist_rate_vy;
-    const LIMB4 upper_twist_rate_vx = P_a * t32 + P_v * t16;
+    const LIMB4 upper_twist_rate_vx = t13 + P_v * t16;
     WRITE4(twist_rates, 15, 28, 39, 52, upper_twist_rate_vx);
     checked = checked + upper_twist_rate_vx;
     const LIMB4 signed_lower_twist_rate_wz = U_a_1 * signed_U_0_sin + U_v_1 * (U_v_0 * U_0_cos);
@@ -474,7 +473,7 @@ BODY(three_ups_upu_s_point_motion)(size_t stride, const double *restrict q, cons
     WRITE(positions, 23, limb2_lower_limb_target_x);
     const REAL C4_velocities_y = t71 - limb4_lower_limb_target_x * platform_twist_wx;
     WRITE(velocities, 28, C4_velocities_y);
-    const REAL t177 = platform_twist_wx * C4_velocities_y, t166 = platform_twist_wz * C4_velocities_y,
+    const REAL t174 = platform_twist_wx * C4_velocities_y, t163 = platform_twist_wz * C4_velocities_y,
       t32 = limb5_S_v_wy * platform_turn_yy + limb5_S_v_wx * platform_turn_yx,
       platform_twist_wy = t32 + limb5_S_v_wz * platform_turn_yz, t69 = limb4_lower_limb_target_x *
           platform_twist_wy,
@@ -489,24 +488,24 @@ BODY(three_ups_upu_s_point_motion)(size_t stride, const double *restrict q, cons
     WRITE(velocities, 27, C4_velocities_x);
     const REAL limb5_S_a_wx = READ(a, 12);
     /* C1: results; accelerations; geometry */
-    const REAL t179 = t177 - platform_twist_wy * C4_velocities_x, t171 = platform_twist_wz * C4_velocities_x,
+    const REAL t176 = t174 - platform_twist_wy * C4_velocities_x, t168 = platform_twist_wz * C4_velocities_x,
       platform_twist_rate_wx = limb5_S_a_wx * platform_turn_xx + t91 + t93, t20 = 0.5 * platform_turn_xx,
-      t174 = limb4_upper_position_y * platform_twist_rate_wx,
+      t171 = limb4_upper_position_y * platform_twist_rate_wx,
       platform_twist_rate_wy = limb5_S_a_wx * platform_turn_yx + t76 + t78, t23 = 0.5 * platform_turn_yx,
-      C4_accelerations_z = t174 - limb4_lower_limb_target_y * platform_twist_rate_wy + t179;
+      C4_accelerations_z = t171 - limb4_lower_limb_target_y * platform_twist_rate_wy + t176;
     WRITE(accelerations, 29, C4_accelerations_z);
     REAL checked1 = C4_accelerations_z;
     const REAL C4_velocities_z = limb4_upper_position_y * platform_twist_wx - limb4_lower_limb_target_y *
         platform_twist_wy;
     WRITE(velocities, 29, C4_velocities_z);
-    const REAL t173 = t171 - platform_twist_wx * C4_velocities_z, t167 = platform_twist_wy * C4_velocities_z - t166,
+    const REAL t170 = t168 - platform_twist_wx * C4_velocities_z, t164 = platform_twist_wy * C4_velocities_z - t163,
       platform_twist_rate_wz = limb5_S_a_wx * platform_turn_zx + t81 + t83,
-      t168 = limb4_lower_limb_target_y * platform_twist_rate_wz,
-      t163 = limb4_upper_position_y * platform_twist_rate_wz, t24 = 0.5 * platform_turn_zx,
-      C4_accelerations_y = t168 - limb4_lower_limb_target_x * platform_twist_rate_wx + t173;
+      t165 = limb4_lower_limb_target_y * platform_twist_rate_wz,
+      t160 = limb4_upper_position_y * platform_twist_rate_wz, t24 = 0.5 * platform_turn_zx,
+      C4_accelerations_y = t165 - limb4_lower_limb_target_x * platform_twist_rate_wx + t170;
     WRITE(accelerations, 28, C4_accelerations_y);
     REAL checked2 = C4_accelerations_y;
-    const REAL C4_accelerations_x = limb4_lower_limb_target_x * platform_twist_rate_wy - t163 + t167;
+    const REAL C4_accelerations_x = limb4_lower_limb_target_x * platform_twist_rate_wy - t160 + t164;
     WRITE(accelerations, 27, C4_accelerations_x);
     REAL checked3 = C4_accelerations_x;
     const REAL limb3_upper_position_x = t20 + E_positions_x;
@@ -519,63 +518,57 @@ BODY(three_ups_upu_s_point_motion)(size_t stride, const double *restrict q, cons
     WRITE(positions, 20, -minus_limb1_lower_limb_target_y);
     const REAL C3_velocities_y = t65 - limb3_lower_limb_target_y * platform_twist_wx;
     WRITE(velocities, 25, C3_velocities_y);
-    const REAL t159 = platform_twist_wx * C3_velocities_y, t148 = platform_twist_wz * C3_velocities_y,
+    const REAL t156 = platform_twist_wx * C3_velocities_y, t145 = platform_twist_wz * C3_velocities_y,
       t63 = limb3_lower_limb_target_y * platform_twist_wy, limb3_lower_limb_target_x = t23 + E_positions_y;
     WRITE(positions, 25, limb3_lower_limb_target_x);
     const REAL minus_limb1_lower_limb_target_x = t23 - E_positions_y;
     WRITE(positions, 19, -minus_limb1_lower_limb_target_x);
     const REAL C3_velocities_x = t63 - limb3_lower_limb_target_x * platform_twist_wz;
     WRITE(velocities, 24, C3_velocities_x);
-    const REAL t161 = t159 - platform_twist_wy * C3_velocities_x, t153 = platform_twist_wz * C3_velocities_x,
-      t156 = limb3_lower_limb_target_x * platform_twist_rate_wx;
-    RESULT(checked0, accelerations, 26, t156 - limb3_upper_position_x * platform_twist_rate_wy + t161);
-    const REAL t145 = limb3_lower_limb_target_x * platform_twist_rate_wz,
+    const REAL t158 = t156 - platform_twist_wy * C3_velocities_x, t150 = platform_twist_wz * C3_velocities_x,
+      t153 = limb3_lower_limb_target_x * platform_twist_rate_wx;
+    RESULT(checked0, accelerations, 26, t153 - limb3_upper_position_x * platform_twist_rate_wy + t158);
+    const REAL t142 = limb3_lower_limb_target_x * platform_twist_rate_wz,
       C3_velocities_z = limb3_lower_limb_target_x * platform_twist_wx - limb3_upper_position_x * platform_twist_wy;
     WRITE(velocities, 26, C3_velocities_z);
-    const REAL t150 = limb3_upper_position_x * platform_twist_rate_wz,
-      t155 = t153 - platform_twist_wx * C3_velocities_z, t149 = platform_twist_wy * C3_velocities_z - t148;
-    RESULT(checked1, accelerations, 25, t150 - limb3_lower_limb_target_y * platform_twist_rate_wx + t155);
-    RESULT(checked2, accelerations, 24, limb3_lower_limb_target_y * platform_twist_rate_wy - t145 + t149);
+    const REAL t147 = limb3_upper_position_x * platform_twist_rate_wz,
+      t152 = t150 - platform_twist_wx * C3_velocities_z, t146 = platform_twist_wy * C3_velocities_z - t145;
+    RESULT(checked1, accelerations, 25, t147 - limb3_lower_limb_target_y * platform_twist_rate_wx + t152);
+    RESULT(checked2, accelerations, 24, limb3_lower_limb_target_y * platform_twist_rate_wy - t142 + t146);
     const REAL C2_velocities_y = limb2_lower_limb_target_y * platform_twist_wz - limb2_lower_limb_target_x *
         platform_twist_wx;
     WRITE(velocities, 22, C2_velocities_y);
-    const REAL t141 = platform_twist_wx * C2_velocities_y, t130 = platform_twist_wz * C2_velocities_y,
+    const REAL t138 = platform_twist_wx * C2_velocities_y, t127 = platform_twist_wz * C2_velocities_y,
       C2_velocities_x = limb2_lower_limb_target_x * platform_twist_wy - limb2_upper_position_y * platform_twist_wz;
     WRITE(velocities, 21, C2_velocities_x);
-    const REAL t143 = t141 - platform_twist_wy * C2_velocities_x, t135 = platform_twist_wz * C2_velocities_x,
-      t138 = limb2_upper_position_y * platform_twist_rate_wx;
-    RESULT(checked3, accelerations, 23, t138 - limb2_lower_limb_target_y * platform_twist_rate_wy + t143);
-    const REAL t127 = limb2_upper_position_y * platform_twist_rate_wz,
+    const REAL t140 = t138 - platform_twist_wy * C2_velocities_x, t132 = platform_twist_wz * C2_velocities_x,
+      t135 = limb2_upper_position_y * platform_twist_rate_wx;
+    RESULT(checked3, accelerations, 23, t135 - limb2_lower_limb_target_y * platform_twist_rate_wy + t140);
+    const REAL t124 = limb2_upper_position_y * platform_twist_rate_wz,
       C2_velocities_z = limb2_upper_position_y * platform_twist_wx - limb2_lower_limb_target_y * platform_twist_wy;
     WRITE(velocities, 23, C2_velocities_z);
-    const REAL t132 = limb2_lower_limb_target_y * platform_twist_rate_wz,
-      t137 = t135 - platform_twist_wx * C2_velocities_z, t131 = platform_twist_wy * C2_velocities_z - t130;
-    RESULT(checked0, accelerations, 22, t132 - limb2_lower_limb_target_x * platform_twist_rate_wx + t137);
-    RESULT(checked1, accelerations, 21, limb2_lower_limb_target_x * platform_twist_rate_wy - t127 + t131);
+    const REAL t129 = limb2_lower_limb_target_y * platform_twist_rate_wz,
+      t134 = t132 - platform_twist_wx * C2_velocities_z, t128 = platform_twist_wy * C2_velocities_z - t127;
+    RESULT(checked0, accelerations, 22, t129 - limb2_lower_limb_target_x * platform_twist_rate_wx + t134);
+    RESULT(checked1, accelerations, 21, limb2_lower_limb_target_x * platform_twist_rate_wy - t124 + t128);
     const REAL t51 = minus_limb1_upper_position_x * platform_twist_wz,
       t53 = t51 - minus_limb1_lower_limb_target_y * platform_twist_wx;
     WRITE(velocities, 19, -t53);
-    const REAL t122 = platform_twist_wx * t53, t109 = platform_twist_wz * t53,
+    const REAL t120 = platform_twist_wx * t53, t109 = platform_twist_wz * t53,
       t48 = minus_limb1_lower_limb_target_y * platform_twist_wy,
       t50 = t48 - minus_limb1_lower_limb_target_x * platform_twist_wz;
     WRITE(velocities, 18, -t50);
-    const REAL t124 = t122 - platform_twist_wy * t50, t115 = platform_twist_wz * t50,
-      t119 = minus_limb1_lower_limb_target_x * platform_twist_rate_wx,
-      t125 = t119 - minus_limb1_upper_position_x * platform_twist_rate_wy + t124;
-    checked2 = checked2 + t125;
-    WRITE(accelerations, 20, -t125);
+    const REAL t122 = t120 - platform_twist_wy * t50, t114 = platform_twist_wz * t50,
+      t117 = minus_limb1_upper_position_x * platform_twist_rate_wy;
+    RESULT(checked2, accelerations, 20, t117 - minus_limb1_lower_limb_target_x * platform_twist_rate_wx - t122);
     const REAL t54 = minus_limb1_lower_limb_target_x * platform_twist_wx,
-      t106 = minus_limb1_lower_limb_target_x * platform_twist_rate_wz,
+      t105 = minus_limb1_lower_limb_target_x * platform_twist_rate_wz,
       t56 = t54 - minus_limb1_upper_position_x * platform_twist_wy,
       t112 = minus_limb1_upper_position_x * platform_twist_rate_wz;
     WRITE(velocities, 20, -t56);
-    const REAL t117 = t115 - platform_twist_wx * t56, t110 = platform_twist_wy * t56 - t109,
-      t118 = t112 - minus_limb1_lower_limb_target_y * platform_twist_rate_wx + t117;
-    checked3 = checked3 + t118;
-    WRITE(accelerations, 19, -t118);
-    const REAL t111 = minus_limb1_lower_limb_target_y * platform_twist_rate_wy - t106 + t110;
-    checked0 = checked0 + t111;
-    WRITE(accelerations, 18, -t111);
+    const REAL t116 = t114 - platform_twist_wx * t56, t110 = platform_twist_wy * t56 - t109;
+    RESULT(checked3, accelerations, 19, minus_limb1_lower_limb_target_y * platform_twist_rate_wx - t112 - t116);
+    RESULT(checked0, accelerations, 18, t105 - minus_limb1_lower_limb_target_y * platform_twist_rate_wy - t110);
     const REAL E_velocities_y = E_positions_x * platform_twist_wz - E_positions_z * platform_twist_wx;
     WRITE(velocities, 4, E_velocities_y);
     const REAL t102 = platform_twist_wx * E_velocities_y, t87 = platform_twist_wz * E_velocities_y,
@@ -626,203 +619,201 @@ BODY(three_ups_upu_s_joint_screws)(size_t stride, const double *restrict q, doub
     /* limb4: geometry */
     const REAL minus_limb4_lower_sin = SINES(sine, 7);
     WRITE(screws, 118, -minus_limb4_lower_sin);
-    const REAL minus_limb4_U_0_cos = SINES(sine, 6), limb4_U_0_cos = -minus_limb4_U_0_cos;
+    const REAL limb4_U_0_sin = SINES(cosine, 6);
+    WRITE(screws, 108, limb4_U_0_sin);
+    WRITE(screws, 120, limb4_U_0_sin);
+    const REAL limb4_U_1_screw_vz = (-param_R) * limb4_U_0_sin;
+    WRITE(screws, 113, limb4_U_1_screw_vz);
+    REAL checked0 = limb4_U_1_screw_vz;
+    const REAL minus_limb4_U_0_cos = SINES(sine, 6), limb4_U_1_screw_vx = (-param_R) * minus_limb4_U_0_cos;
+    WRITE(screws, 111, limb4_U_1_screw_vx);
+    REAL checked1 = limb4_U_1_screw_vx;
+    const REAL limb4_U_0_cos = -minus_limb4_U_0_cos;
     WRITE(screws, 110, limb4_U_0_cos);
     WRITE(screws, 122, limb4_U_0_cos);
+    /* limb3: geometry */
     const REAL minus_limb3_lower_sin = SINES(sine, 5);
     WRITE(screws, 81, -minus_limb3_lower_sin);
     const REAL limb3_U_0_cos = SINES(cosine, 4);
     WRITE(screws, 73, limb3_U_0_cos);
     WRITE(screws, 91, limb3_U_0_cos);
-    /* limb2_U: screws, eq. (5) */
     const REAL limb3_U_1_screw_vz = param_R * limb3_U_0_cos;
     WRITE(screws, 77, limb3_U_1_screw_vz);
-    REAL checked0 = limb3_U_1_screw_vz;
+    REAL checked2 = limb3_U_1_screw_vz;
+    const REAL limb3_U_0_sin = SINES(sine, 4);
+    WRITE(screws, 74, limb3_U_0_sin);
+    WRITE(screws, 92, limb3_U_0_sin);
+    const REAL limb3_U_1_screw_vy = (-param_R) * limb3_U_0_sin;
+    WRITE(screws, 76, limb3_U_1_screw_vy);
+    REAL checked3 = limb3_U_1_screw_vy;
     const REAL limb2_U_0_sin = SINES(cosine, 2);
     WRITE(screws, 36, limb2_U_0_sin);
     WRITE(screws, 48, limb2_U_0_sin);
-    const REAL limb2_U_1_screw_vz = param_R * limb2_U_0_sin;
-    WRITE(screws, 41, limb2_U_1_screw_vz);
-    REAL checked1 = limb2_U_1_screw_vz;
-    const REAL minus_limb2_U_0_cos = SINES(sine, 2), limb2_U_1_screw_vx = param_R * minus_limb2_U_0_cos;
-    WRITE(screws, 39, limb2_U_1_screw_vx);
-    REAL checked2 = limb2_U_1_screw_vx;
+    RESULT(checked0, screws, 41, param_R * limb2_U_0_sin);
+    const REAL minus_limb2_U_0_cos = SINES(sine, 2);
+    RESULT(checked1, screws, 39, param_R * minus_limb2_U_0_cos);
     const REAL limb2_U_0_cos = -minus_limb2_U_0_cos;
     WRITE(screws, 38, limb2_U_0_cos);
     WRITE(screws, 50, limb2_U_0_cos);
+    const REAL limb1_U_0_cos = SINES(cosine, 0);
+    WRITE(screws, 7, limb1_U_0_cos);
+    RESULT(checked2, screws, 11, (-param_R) * limb1_U_0_cos);
     const REAL limb1_U_0_sin = SINES(sine, 0);
     WRITE(screws, 8, limb1_U_0_sin);
-    const REAL limb1_U_1_screw_vy = param_R * limb1_U_0_sin;
-    WRITE(screws, 10, limb1_U_1_screw_vy);
-    REAL checked3 = limb1_U_1_screw_vy;
+    RESULT(checked3, screws, 10, param_R * limb1_U_0_sin);
     /* limb4: geometry */
     const REAL limb4_upper_offset_x = limb_upper_phase + READ(q, 11),
       limb4_upper_position_y = param_R - minus_limb4_lower_sin * limb4_upper_offset_x,
       limb4_lower_cos = SINES(cosine, 7), minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos;
     WRITE(screws, 117, -minus_limb4_lower_rotation_xx);
     /* limb4: screws, eq. (5); geometry */
-    const REAL t120 = k1 * minus_limb4_lower_rotation_xx,
+    const REAL t118 = k1 * minus_limb4_lower_rotation_xx,
       minus_limb4_lower_rotation_xy = minus_limb4_U_0_cos * minus_limb4_lower_sin,
-      t122 = t120 - 0.5 * minus_limb4_lower_rotation_xy;
-    WRITE(screws, 132, -t122);
-    const REAL t108 = k1 * minus_limb4_lower_rotation_xy, t135 = limb4_upper_position_y * t122,
+      t120 = t118 - 0.5 * minus_limb4_lower_rotation_xy;
+    WRITE(screws, 132, -t120);
+    const REAL t106 = k1 * minus_limb4_lower_rotation_xy, t133 = limb4_upper_position_y * t120,
       minus_limb4_upper_position_x = limb4_upper_offset_x * minus_limb4_lower_rotation_xx,
-      limb4_S_screws_y_wx = 0.5 * minus_limb4_lower_rotation_xx + t108;
+      limb4_S_screws_y_wx = 0.5 * minus_limb4_lower_rotation_xx + t106;
     WRITE(screws, 126, limb4_S_screws_y_wx);
-    const REAL t125 = k1 * minus_limb4_lower_sin + 0.5 * limb4_lower_cos;
-    WRITE(screws, 133, -t125);
-    RESULT(checked0, screws, 137, minus_limb4_upper_position_x * t125 + t135);
-    const REAL limb4_U_0_sin = SINES(cosine, 6);
-    WRITE(screws, 108, limb4_U_0_sin);
-    WRITE(screws, 120, limb4_U_0_sin);
+    const REAL t123 = k1 * minus_limb4_lower_sin + 0.5 * limb4_lower_cos;
+    WRITE(screws, 133, -t123);
+    RESULT(checked0, screws, 137, minus_limb4_upper_position_x * t123 + t133);
     const REAL minus_limb4_lower_rotation_zx = limb4_U_0_sin * limb4_lower_cos,
       minus_limb4_upper_position_z = limb4_upper_offset_x * minus_limb4_lower_rotation_zx,
-      t132 = minus_limb4_upper_position_z * t122, t130 = minus_limb4_upper_position_z * t125;
+      t130 = minus_limb4_upper_position_z * t120, t128 = minus_limb4_upper_position_z * t123;
     WRITE(screws, 119, -minus_limb4_lower_rotation_zx);
-    const REAL t126 = k1 * minus_limb4_lower_rotation_zx, t111 = 0.5 * minus_limb4_lower_rotation_zx,
+    const REAL t124 = k1 * minus_limb4_lower_rotation_zx, t109 = 0.5 * minus_limb4_lower_rotation_zx,
       minus_limb4_lower_rotation_zy = limb4_U_0_sin * minus_limb4_lower_sin,
-      t128 = t126 - 0.5 * minus_limb4_lower_rotation_zy;
-    WRITE(screws, 134, -t128);
-    const REAL limb4_S_screws_y_wz = t111 + k1 * minus_limb4_lower_rotation_zy;
+      t126 = t124 - 0.5 * minus_limb4_lower_rotation_zy;
+    WRITE(screws, 134, -t126);
+    const REAL limb4_S_screws_y_wz = t109 + k1 * minus_limb4_lower_rotation_zy;
     WRITE(screws, 128, limb4_S_screws_y_wz);
-    RESULT(checked1, screws, 136, t132 - minus_limb4_upper_position_x * t128);
-    const REAL t131 = limb4_upper_position_y * t128 + t130;
-    checked2 = checked2 + t131;
-    WRITE(screws, 135, -t131);
-    const REAL t118 = limb4_upper_position_y * limb4_S_screws_y_wx,
-      t116 = minus_limb4_upper_position_z * limb4_S_screws_y_wx,
+    RESULT(checked1, screws, 136, t130 - minus_limb4_upper_position_x * t126);
+    const REAL t129 = limb4_upper_position_y * t126 + t128;
+    checked2 = checked2 + t129;
+    WRITE(screws, 135, -t129);
+    const REAL t116 = limb4_upper_position_y * limb4_S_screws_y_wx,
+      t114 = minus_limb4_upper_position_z * limb4_S_screws_y_wx,
       limb4_S_screws_y_wy = 0.5 * minus_limb4_lower_sin - k1 * limb4_lower_cos;
     WRITE(screws, 127, limb4_S_screws_y_wy);
-    const REAL t119 = minus_limb4_upper_position_x * limb4_S_screws_y_wy + t118;
-    checked3 = checked3 + t119;
-    WRITE(screws, 131, -t119);
-    const REAL t114 = minus_limb4_upper_position_z * limb4_S_screws_y_wy,
-      t103 = limb4_U_0_sin * minus_limb4_upper_position_z;
-    RESULT(checked0, screws, 130, minus_limb4_upper_position_x * limb4_S_screws_y_wz - t116);
-    RESULT(checked1, screws, 129, limb4_upper_position_y * limb4_S_screws_y_wz + t114);
-    const REAL t105 = t103 + minus_limb4_U_0_cos * minus_limb4_upper_position_x;
-    checked2 = checked2 + t105;
-    WRITE(screws, 124, -t105);
-    const REAL t106 = limb4_U_0_sin * limb4_upper_position_y;
-    checked3 = checked3 + t106;
-    WRITE(screws, 125, -t106);
-    const REAL t102 = minus_limb4_U_0_cos * limb4_upper_position_y;
-    checked0 = checked0 + t102;
-    WRITE(screws, 123, -t102);
-    const REAL minus_limb4_U_1_screw_vz = param_R * limb4_U_0_sin;
-    checked1 = checked1 + minus_limb4_U_1_screw_vz;
-    WRITE(screws, 113, -minus_limb4_U_1_screw_vz);
-    const REAL minus_limb4_U_1_screw_vx = param_R * minus_limb4_U_0_cos;
-    checked2 = checked2 + minus_limb4_U_1_screw_vx;
-    WRITE(screws, 111, -minus_limb4_U_1_screw_vx);
+    const REAL t117 = minus_limb4_upper_position_x * limb4_S_screws_y_wy + t116;
+    checked3 = checked3 + t117;
+    WRITE(screws, 131, -t117);
+    const REAL t112 = minus_limb4_upper_position_z * limb4_S_screws_y_wy,
+      t101 = limb4_U_0_sin * minus_limb4_upper_position_z;
+    RESULT(checked0, screws, 130, minus_limb4_upper_position_x * limb4_S_screws_y_wz - t114);
+    RESULT(checked1, screws, 129, limb4_upper_position_y * limb4_S_screws_y_wz + t112);
+    const REAL t103 = t101 + minus_limb4_U_0_cos * minus_limb4_upper_position_x;
+    checked2 = checked2 + t103;
+    WRITE(screws, 124, -t103);
+    const REAL t104 = limb4_U_0_sin * limb4_upper_position_y;
+    checked3 = checked3 + t104;
+    WRITE(screws, 125, -t104);
+    const REAL t100 = minus_limb4_U_0_cos * limb4_upper_position_y;
+    checked0 = checked0 + t100;
+    WRITE(screws, 123, -t100);
     /* limb3: geometry; screws, eq. (5) */
     const REAL limb3_upper_offset_x = limb_upper_phase + READ(q, 8),
       limb3_upper_position_x = param_R - minus_limb3_lower_sin * limb3_upper_offset_x;
-    RESULT(checked3, screws, 95, limb3_U_0_cos * limb3_upper_position_x);
-    const REAL limb3_U_0_sin = SINES(sine, 4);
-    WRITE(screws, 74, limb3_U_0_sin);
-    WRITE(screws, 92, limb3_U_0_sin);
+    RESULT(checked1, screws, 95, limb3_U_0_cos * limb3_upper_position_x);
     const REAL limb3_lower_cos = SINES(cosine, 5), minus_limb3_lower_rotation_yx = limb3_U_0_sin * limb3_lower_cos;
     WRITE(screws, 82, -minus_limb3_lower_rotation_yx);
     /* limb3: screws, eq. (5); geometry */
-    const REAL t88 = k1 * minus_limb3_lower_rotation_yx,
+    const REAL t86 = k1 * minus_limb3_lower_rotation_yx,
       minus_limb3_lower_rotation_yy = limb3_U_0_sin * minus_limb3_lower_sin,
-      t90 = t88 + 0.5 * minus_limb3_lower_rotation_yy;
-    WRITE(screws, 97, -t90);
-    const REAL t71 = k1 * minus_limb3_lower_rotation_yy, t98 = limb3_upper_position_x * t90,
+      t88 = t86 + 0.5 * minus_limb3_lower_rotation_yy;
+    WRITE(screws, 97, -t88);
+    const REAL t69 = k1 * minus_limb3_lower_rotation_yy, t96 = limb3_upper_position_x * t88,
       minus_limb3_upper_position_y = limb3_upper_offset_x * minus_limb3_lower_rotation_yx,
-      limb3_S_screws_x_wy = 0.5 * minus_limb3_lower_rotation_yx - t71;
+      limb3_S_screws_x_wy = 0.5 * minus_limb3_lower_rotation_yx - t69;
     WRITE(screws, 85, limb3_S_screws_x_wy);
-    const REAL t87 = k1 * minus_limb3_lower_sin - 0.5 * limb3_lower_cos;
-    WRITE(screws, 96, -t87);
-    const REAL t100 = t98 + minus_limb3_upper_position_y * t87;
-    checked0 = checked0 + t100;
-    WRITE(screws, 101, -t100);
+    const REAL t85 = k1 * minus_limb3_lower_sin - 0.5 * limb3_lower_cos;
+    WRITE(screws, 96, -t85);
+    const REAL t98 = t96 + minus_limb3_upper_position_y * t85;
+    checked2 = checked2 + t98;
+    WRITE(screws, 101, -t98);
     const REAL limb3_lower_rotation_zx = limb3_U_0_cos * limb3_lower_cos;
     WRITE(screws, 83, limb3_lower_rotation_zx);
     const REAL limb3_upper_position_z = limb3_upper_offset_x * limb3_lower_rotation_zx,
-      t95 = limb3_upper_position_z * t87, t93 = limb3_upper_position_z * t90, t91 = k1 * limb3_lower_rotation_zx,
-      t72 = 0.5 * limb3_lower_rotation_zx, limb3_lower_rotation_zy = limb3_U_0_cos * minus_limb3_lower_sin,
-      limb3_S_screws_z_wz = t91 + 0.5 * limb3_lower_rotation_zy;
+      t93 = limb3_upper_position_z * t85, t91 = limb3_upper_position_z * t88, t89 = k1 * limb3_lower_rotation_zx,
+      t70 = 0.5 * limb3_lower_rotation_zx, limb3_lower_rotation_zy = limb3_U_0_cos * minus_limb3_lower_sin,
+      limb3_S_screws_z_wz = t89 + 0.5 * limb3_lower_rotation_zy;
     WRITE(screws, 98, limb3_S_screws_z_wz);
-    const REAL t74 = t72 - k1 * limb3_lower_rotation_zy;
-    WRITE(screws, 86, -t74);
-    const REAL t97 = t95 + limb3_upper_position_x * limb3_S_screws_z_wz;
-    checked1 = checked1 + t97;
-    WRITE(screws, 100, -t97);
-    RESULT(checked2, screws, 99, t93 - minus_limb3_upper_position_y * limb3_S_screws_z_wz);
-    const REAL t84 = limb3_U_0_sin * limb3_upper_position_x;
-    checked3 = checked3 + t84;
-    WRITE(screws, 94, -t84);
-    const REAL t83 = limb3_U_0_sin * minus_limb3_upper_position_y + limb3_U_0_cos * limb3_upper_position_z;
-    checked0 = checked0 + t83;
-    WRITE(screws, 93, -t83);
-    const REAL t79 = limb3_upper_position_x * limb3_S_screws_x_wy, t78 = limb3_upper_position_x * t74;
-    RESULT(checked1, screws, 87, minus_limb3_upper_position_y * t74 - limb3_upper_position_z * limb3_S_screws_x_wy);
+    const REAL t72 = t70 - k1 * limb3_lower_rotation_zy;
+    WRITE(screws, 86, -t72);
+    const REAL t95 = t93 + limb3_upper_position_x * limb3_S_screws_z_wz;
+    checked3 = checked3 + t95;
+    WRITE(screws, 100, -t95);
+    RESULT(checked0, screws, 99, t91 - minus_limb3_upper_position_y * limb3_S_screws_z_wz);
+    const REAL t82 = limb3_U_0_sin * limb3_upper_position_x;
+    checked1 = checked1 + t82;
+    WRITE(screws, 94, -t82);
+    const REAL t81 = limb3_U_0_sin * minus_limb3_upper_position_y + limb3_U_0_cos * limb3_upper_position_z;
+    checked2 = checked2 + t81;
+    WRITE(screws, 93, -t81);
+    const REAL t77 = limb3_upper_position_x * limb3_S_screws_x_wy, t76 = limb3_upper_position_x * t72;
+    RESULT(checked3, screws, 87, minus_limb3_upper_position_y * t72 - limb3_upper_position_z * limb3_S_screws_x_wy);
     const REAL limb3_S_screws_x_wx = 0.5 * minus_limb3_lower_sin + k1 * limb3_lower_cos;
     WRITE(screws, 84, limb3_S_screws_x_wx);
-    RESULT(checked2, screws, 89, t79 + minus_limb3_upper_position_y * limb3_S_screws_x_wx);
-    RESULT(checked3, screws, 88, limb3_upper_position_z * limb3_S_screws_x_wx + t78);
-    const REAL minus_limb3_U_1_screw_vy = param_R * limb3_U_0_sin;
-    checked0 = checked0 + minus_limb3_U_1_screw_vy;
-    WRITE(screws, 76, -minus_limb3_U_1_screw_vy);
+    RESULT(checked0, screws, 89, t77 + minus_limb3_upper_position_y * limb3_S_screws_x_wx);
+    RESULT(checked1, screws, 88, limb3_upper_position_z * limb3_S_screws_x_wx + t76);
     /* limb2: geometry; screws, eq. (5) */
     const REAL limb2_upper_offset_x = limb_upper_phase + READ(q, 5), limb2_lower_sin = SINES(sine, 3);
     WRITE(screws, 46, limb2_lower_sin);
     const REAL minus_limb2_upper_position_y = param_R - limb2_lower_sin * limb2_upper_offset_x;
-    RESULT(checked1, screws, 53, limb2_U_0_sin * minus_limb2_upper_position_y);
-    RESULT(checked2, screws, 51, minus_limb2_U_0_cos * minus_limb2_upper_position_y);
+    RESULT(checked2, screws, 53, limb2_U_0_sin * minus_limb2_upper_position_y);
+    RESULT(checked3, screws, 51, minus_limb2_U_0_cos * minus_limb2_upper_position_y);
     const REAL limb2_lower_cos = SINES(cosine, 3),
       minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos;
     WRITE(screws, 45, -minus_limb2_lower_rotation_xx);
     /* limb2: screws, eq. (5); geometry */
-    const REAL t52 = k1 * minus_limb2_lower_rotation_xx,
-      limb2_lower_rotation_xy = minus_limb2_U_0_cos * limb2_lower_sin, t54 = t52 - 0.5 * limb2_lower_rotation_xy;
-    WRITE(screws, 60, -t54);
-    const REAL t38 = k1 * limb2_lower_rotation_xy, t65 = minus_limb2_upper_position_y * t54,
+    const REAL t50 = k1 * minus_limb2_lower_rotation_xx,
+      limb2_lower_rotation_xy = minus_limb2_U_0_cos * limb2_lower_sin, t52 = t50 - 0.5 * limb2_lower_rotation_xy;
+    WRITE(screws, 60, -t52);
+    const REAL t36 = k1 * limb2_lower_rotation_xy, t63 = minus_limb2_upper_position_y * t52,
       minus_limb2_upper_position_x = limb2_upper_offset_x * minus_limb2_lower_rotation_xx,
-      t39 = 0.5 * minus_limb2_lower_rotation_xx + t38;
-    WRITE(screws, 54, -t39);
+      t37 = 0.5 * minus_limb2_lower_rotation_xx + t36;
+    WRITE(screws, 54, -t37);
     const REAL limb2_S_screws_z_wy = k1 * limb2_lower_sin + 0.5 * limb2_lower_cos;
     WRITE(screws, 61, limb2_S_screws_z_wy);
-    const REAL t66 = minus_limb2_upper_position_x * limb2_S_screws_z_wy + t65;
-    checked3 = checked3 + t66;
-    WRITE(screws, 65, -t66);
+    const REAL t64 = minus_limb2_upper_position_x * limb2_S_screws_z_wy + t63;
+    checked0 = checked0 + t64;
+    WRITE(screws, 65, -t64);
     const REAL minus_limb2_lower_rotation_zx = limb2_U_0_sin * limb2_lower_cos,
       minus_limb2_upper_position_z = limb2_upper_offset_x * minus_limb2_lower_rotation_zx,
-      t62 = minus_limb2_upper_position_z * t54, t61 = minus_limb2_upper_position_z * limb2_S_screws_z_wy;
+      t60 = minus_limb2_upper_position_z * t52, t59 = minus_limb2_upper_position_z * limb2_S_screws_z_wy;
     WRITE(screws, 47, -minus_limb2_lower_rotation_zx);
-    const REAL t57 = k1 * minus_limb2_lower_rotation_zx, t42 = 0.5 * minus_limb2_lower_rotation_zx,
-      limb2_lower_rotation_zy = limb2_U_0_sin * limb2_lower_sin, t59 = t57 - 0.5 * limb2_lower_rotation_zy;
-    WRITE(screws, 62, -t59);
-    const REAL t44 = t42 + k1 * limb2_lower_rotation_zy;
-    WRITE(screws, 56, -t44);
-    RESULT(checked0, screws, 64, t62 - minus_limb2_upper_position_x * t59);
-    RESULT(checked1, screws, 63, minus_limb2_upper_position_y * t59 + t61);
-    const REAL t50 = minus_limb2_upper_position_y * t39, t45 = minus_limb2_upper_position_y * t44;
-    RESULT(checked2, screws, 58, minus_limb2_upper_position_z * t39 - minus_limb2_upper_position_x * t44);
+    const REAL t55 = k1 * minus_limb2_lower_rotation_zx, t40 = 0.5 * minus_limb2_lower_rotation_zx,
+      limb2_lower_rotation_zy = limb2_U_0_sin * limb2_lower_sin, t57 = t55 - 0.5 * limb2_lower_rotation_zy;
+    WRITE(screws, 62, -t57);
+    const REAL t42 = t40 + k1 * limb2_lower_rotation_zy;
+    WRITE(screws, 56, -t42);
+    RESULT(checked1, screws, 64, t60 - minus_limb2_upper_position_x * t57);
+    RESULT(checked2, screws, 63, minus_limb2_upper_position_y * t57 + t59);
+    const REAL t48 = minus_limb2_upper_position_y * t37, t43 = minus_limb2_upper_position_y * t42;
+    RESULT(checked3, screws, 58, minus_limb2_upper_position_z * t37 - minus_limb2_upper_position_x * t42);
     const REAL limb2_S_screws_y_wy = 0.5 * limb2_lower_sin - k1 * limb2_lower_cos;
     WRITE(screws, 55, limb2_S_screws_y_wy);
-    const REAL t51 = minus_limb2_upper_position_x * limb2_S_screws_y_wy + t50;
-    checked3 = checked3 + t51;
-    WRITE(screws, 59, -t51);
-    RESULT(checked0, screws, 57, t45 + minus_limb2_upper_position_z * limb2_S_screws_y_wy);
-    const REAL t34 = limb2_U_0_sin * minus_limb2_upper_position_z,
-      t36 = t34 + minus_limb2_U_0_cos * minus_limb2_upper_position_x;
-    checked1 = checked1 + t36;
-    WRITE(screws, 52, -t36);
+    const REAL t49 = minus_limb2_upper_position_x * limb2_S_screws_y_wy + t48;
+    checked0 = checked0 + t49;
+    WRITE(screws, 59, -t49);
+    RESULT(checked1, screws, 57, t43 + minus_limb2_upper_position_z * limb2_S_screws_y_wy);
+    const REAL t32 = limb2_U_0_sin * minus_limb2_upper_position_z,
+      t34 = t32 + minus_limb2_U_0_cos * minus_limb2_upper_position_x;
+    checked2 = checked2 + t34;
+    WRITE(screws, 52, -t34);
     /* limb5_S: geometry */
-    const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t8 = limb5_S_q_qw * limb5_S_q_qw,
-      t9 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), limb5_S_q_qz = READ(q, 15), t10 = t8 + t9,
-      t11 = limb5_S_q_qy * limb5_S_q_qy, t12 = limb5_S_q_qz * limb5_S_q_qz, t14 = t10 + (t11 + t12), t21 = t9 + t12,
-      t16 = 4.0 - 2.0 * t14, platform_turn_yy = 1.0 - t16 * t21;
+    const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t6 = limb5_S_q_qw * limb5_S_q_qw,
+      t7 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), limb5_S_q_qz = READ(q, 15), t8 = t6 + t7,
+      t9 = limb5_S_q_qy * limb5_S_q_qy, t10 = limb5_S_q_qz * limb5_S_q_qz, t12 = t8 + (t9 + t10), t19 = t7 + t10,
+      t14 = 4.0 - 2.0 * t12, platform_turn_yy = 1.0 - t14 * t19;
     WRITE(screws, 25, platform_turn_yy);
-    const REAL t18 = limb5_S_q_qx * (limb5_S_q_qy * t16), t19 = limb5_S_q_qz * t16,
-      t25 = limb5_S_q_qw * (limb5_S_q_qx * t16), platform_turn_xy = t18 - limb5_S_q_qw * t19;
+    const REAL t16 = limb5_S_q_qx * (limb5_S_q_qy * t14), t17 = limb5_S_q_qz * t14,
+      t23 = limb5_S_q_qw * (limb5_S_q_qx * t14), platform_turn_xy = t16 - limb5_S_q_qw * t17;
     WRITE(screws, 24, platform_turn_xy);
-    const REAL platform_turn_zy = limb5_S_q_qy * t19 + t25;
+    const REAL platform_turn_zy = limb5_S_q_qy * t17 + t23;
     WRITE(screws, 26, platform_turn_zy);
-    /* limb1: geometry; screws, eq. (5) */
+    /* limb1: geometry */
     const REAL limb1_upper_offset_x = limb_upper_phase + READ(q, 2), limb1_lower_cos = SINES(cosine, 1);
     WRITE(screws, 18, limb1_lower_cos);
     const REAL minus_limb1_lower_rotation_yx = limb1_U_0_sin * limb1_lower_cos;
@@ -830,33 +821,26 @@ BODY(three_ups_upu_s_joint_screws)(size_t stride, const double *restrict q, doub
     const REAL minus_limb1_upper_position_y = limb1_upper_offset_x * minus_limb1_lower_rotation_yx,
       limb1_lower_sin = SINES(sine, 1);
     WRITE(screws, 15, limb1_lower_sin);
-    const REAL t31 = platform_turn_xy * minus_limb1_upper_position_y,
+    /* limb1: screws, eq. (5); geometry */
+    const REAL t29 = platform_turn_xy * minus_limb1_upper_position_y,
       minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x;
-    RESULT(checked2, screws, 29, t31 - platform_turn_yy * minus_limb1_upper_position_x);
-    const REAL limb1_U_0_cos = SINES(cosine, 0);
-    WRITE(screws, 7, limb1_U_0_cos);
+    RESULT(checked3, screws, 29, t29 - platform_turn_yy * minus_limb1_upper_position_x);
     const REAL limb1_lower_rotation_zx = limb1_U_0_cos * limb1_lower_cos;
     WRITE(screws, 17, limb1_lower_rotation_zx);
-    const REAL limb1_upper_position_z = limb1_upper_offset_x * limb1_lower_rotation_zx;
-    /* limb1: screws, eq. (5); geometry */
-    const REAL t27 = platform_turn_yy * limb1_upper_position_z;
-    RESULT(checked3, screws, 28, platform_turn_xy * limb1_upper_position_z + platform_turn_zy *
+    const REAL limb1_upper_position_z = limb1_upper_offset_x * limb1_lower_rotation_zx,
+      t25 = platform_turn_yy * limb1_upper_position_z, t2 = limb1_lower_cos * limb1_upper_position_z;
+    RESULT(checked0, screws, 28, platform_turn_xy * limb1_upper_position_z + platform_turn_zy *
         minus_limb1_upper_position_x);
-    const REAL t28 = platform_turn_zy * minus_limb1_upper_position_y + t27;
-    checked0 = checked0 + t28;
-    WRITE(screws, 27, -t28);
-    const REAL limb1_lower_rotation_yy = limb1_U_0_sin * limb1_lower_sin;
+    const REAL t26 = platform_turn_zy * minus_limb1_upper_position_y + t25;
+    checked1 = checked1 + t26;
+    WRITE(screws, 27, -t26);
+    const REAL t4 = limb1_lower_cos * minus_limb1_upper_position_y,
+      limb1_lower_rotation_yy = limb1_U_0_sin * limb1_lower_sin;
     WRITE(screws, 19, limb1_lower_rotation_yy);
-    const REAL t7 = limb1_lower_rotation_yy * minus_limb1_upper_position_x,
-      t3 = limb1_lower_rotation_yy * limb1_upper_position_z, t4 = limb1_lower_cos * limb1_upper_position_z;
-    RESULT(checked1, screws, 23, limb1_lower_cos * minus_limb1_upper_position_y - t7);
+    RESULT(checked2, screws, 23, t4 - limb1_lower_rotation_yy * minus_limb1_upper_position_x);
     const REAL minus_limb1_lower_rotation_zy = limb1_U_0_cos * limb1_lower_sin;
-    RESULT(checked2, screws, 22, t4 - minus_limb1_lower_rotation_zy * minus_limb1_upper_position_x);
-    RESULT(checked3, screws, 21, minus_limb1_lower_rotation_zy * minus_limb1_upper_position_y - t3);
+    RESULT(checked3, screws, 22, t2 - minus_limb1_lower_rotation_zy * minus_limb1_upper_position_x);
     WRITE(screws, 20, -minus_limb1_lower_rotation_zy);
-    const REAL minus_limb1_U_1_screw_vz = param_R * limb1_U_0_cos;
-    checked0 = checked0 + minus_limb1_U_1_screw_vz;
-    WRITE(screws, 11, -minus_limb1_U_1_screw_vz);
     WRITE(screws, 0, CONSTANT(1.0));
     WRITE(screws, 1, CONSTANT(0.0));
     WRITE(screws, 2, CONSTANT(0.0));
@@ -868,6 +852,7 @@ BODY(three_ups_upu_s_joint_screws)(size_t stride, const double *restrict q, doub
     WRITE(screws, 12, CONSTANT(0.0));
     WRITE(screws, 13, CONSTANT(0.0));
     WRITE(screws, 14, CONSTANT(0.0));
+    WRITE(screws, 21, CONSTANT(0.0));
     WRITE(screws, 30, CONSTANT(0.0));
     WRITE(screws, 31, CONSTANT(1.0));
     WRITE(screws, 32, CONSTANT(0.0));
@@ -923,8 +908,8 @@ BODY(three_ups_upu_s_joint_screws)(size_t stride, const double *restrict q, doub
     WRITE(screws, 154, CONSTANT(0.0));
     WRITE(screws, 155, CONSTANT(0.0));
     /* else status 5: no rotation */
-    NOT_BELOW(t14, 0.999999, 5);
-    NOT_ABOVE(t14, 1.000001, 5);
+    NOT_BELOW(t12, 0.999999, 5);
+    NOT_ABOVE(t12, 1.000001, 5);
     FINITE((checked0 + checked1) + (checked2 + checked3));
 }
 #endif
@@ -938,15 +923,16 @@ STAGE(joint_points, 0)(size_t limb, size_t stride, const double *restrict q, dou
     const double *restrict sine, const double *restrict cosine, LIMBS(joint_points) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0), sign2 = OF4(1.0, 1.0, -1.0, -1.0);
-    const LIMB4 lower_cos = IN_EACH4(SINES, cosine, 1, 2);
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), each_limb_upper_phase = -sign1 * limb_upper_phase,
+      each_param_R = -sign1 * param_R, sign2 = OF4(1.0, -1.0, 1.0, -1.0);
     /* each limb: geometry; results */
-    const LIMB4 signed_lower_rotation_zx = IN_EACH4(SINES, cosine, 0, 2) * lower_cos,
-      t3 = limb_upper_phase * signed_lower_rotation_zx, upper_offset_x = IN_EACH4(READ, q, 2, 3) + limb_upper_phase,
+    const LIMB4 upper_offset_x = IN_EACH4(READ, q, 2, 3) + limb_upper_phase,
+      lower_cos = IN_EACH4(SINES, cosine, 1, 2), signed_lower_rotation_zx = IN_EACH4(SINES, cosine, 0, 2) *
+          lower_cos,
       signed_upper_position_z = upper_offset_x * signed_lower_rotation_zx;
-    WRITE4(points, 8, 17, 26, 35, sign1 * signed_upper_position_z);
-    const LIMB4 signed_P_points_z = t3 - signed_upper_position_z;
-    WRITE4(points, 5, 14, 23, 32, -sign1 * signed_P_points_z);
+    WRITE4(points, 8, 17, 26, 35, sign2 * signed_upper_position_z);
+    const LIMB4 signed_P_points_z = signed_upper_position_z - limb_upper_phase * signed_lower_rotation_zx;
+    WRITE4(points, 5, 14, 23, 32, sign2 * signed_P_points_z);
     LIMB4 checked = signed_P_points_z;
     const LIMB4 minus_lower_rotation_yx = IN_EACH4(SINES, sine, 0, 2) * lower_cos,
       t2 = limb_upper_phase * minus_lower_rotation_yx,
@@ -956,10 +942,10 @@ STAGE(joint_points, 0)(size_t limb, size_t stride, const double *restrict q, dou
     WRITE4(points, 4, 12, 22, 30, P_points_y);
     checked = checked + P_points_y;
     const LIMB4 signed_lower_sin = IN_EACH4(SINES, sine, 1, 2),
-      signed_upper_position_x = signed_lower_sin * upper_offset_x + (-param_R);
-    WRITE4(points, 6, 16, 24, 34, sign2 * signed_upper_position_x);
-    const LIMB4 P_points_x = limb_upper_phase * signed_lower_sin - signed_upper_position_x;
-    WRITE4(points, 3, 13, 21, 31, -sign2 * P_points_x);
+      upper_position_x = sign1 * signed_lower_sin * upper_offset_x + each_param_R;
+    WRITE4(points, 6, 16, 24, 34, upper_position_x);
+    const LIMB4 P_points_x = each_limb_upper_phase * signed_lower_sin + upper_position_x;
+    WRITE4(points, 3, 13, 21, 31, P_points_x);
     checked = checked + P_points_x;
     OWN(checked) = checked;
 }
@@ -1058,113 +1044,104 @@ BODY(three_ups_upu_s_joint_rates)(size_t stride, const double *restrict q, const
       t3 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t4 = t2 + t3, t5 = limb5_S_q_qy * limb5_S_q_qy,
       limb5_S_q_qz = READ(q, 15), t6 = limb5_S_q_qz * limb5_S_q_qz, t7 = t5 + t6, t8 = t4 + t7, t10 = 4.0 - 2.0 *
           t8,
-      limb5_S_v_wx = READ(v, 12), t29 = limb5_S_v_wx * (1.0 - t7 * t10), t44 = t3 + t5,
-      platform_turn_yy = 1.0 - t10 * (t3 + t6), limb5_S_v_wz = READ(v, 14), t46 = limb5_S_v_wz * (1.0 - t10 * t44),
-      t11 = limb5_S_q_qy * t10, t12 = limb5_S_q_qx * t11, t33 = limb5_S_q_qw * t11, t13 = limb5_S_q_qz * t10,
+      limb5_S_v_wx = READ(v, 12), t26 = limb5_S_v_wx * (1.0 - t7 * t10), t41 = t3 + t5,
+      platform_turn_yy = 1.0 - t10 * (t3 + t6), limb5_S_v_wz = READ(v, 14), t43 = limb5_S_v_wz * (1.0 - t10 * t41),
+      t11 = limb5_S_q_qy * t10, t12 = limb5_S_q_qx * t11, t30 = limb5_S_q_qw * t11, t13 = limb5_S_q_qz * t10,
       t22 = limb5_S_q_qw * (limb5_S_q_qx * t10), t14 = limb5_S_q_qw * t13, platform_turn_xy = t12 - t14,
-      limb5_S_v_wy = READ(v, 13), t38 = limb5_S_v_wx * (t12 + t14), t31 = t29 + limb5_S_v_wy * platform_turn_xy,
-      t32 = limb5_S_q_qx * t13, t20 = limb5_S_q_qy * t13, platform_turn_zx = t32 - t33,
-      platform_twist_wx = t31 + limb5_S_v_wz * (t32 + t33);
+      limb5_S_v_wy = READ(v, 13), t35 = limb5_S_v_wx * (t12 + t14), t28 = t26 + limb5_S_v_wy * platform_turn_xy,
+      t29 = limb5_S_q_qx * t13, t20 = limb5_S_q_qy * t13, platform_turn_zx = t29 - t30,
+      platform_twist_wx = t28 + limb5_S_v_wz * (t29 + t30);
     WRITE(rates, 23, platform_twist_wx);
     const REAL limb1_U_v_0 = READ(v, 0);
     WRITE(rates, 0, limb1_U_v_0);
-    const REAL t47 = limb5_S_v_wx * platform_turn_zx, t35 = limb1_U_v_0 - platform_twist_wx, /* limb1 */
-      limb1_lower_cos = SINES(cosine, 1), t53 = platform_turn_xy * t35, /* limb1 */
+    const REAL t44 = limb5_S_v_wx * platform_turn_zx, t32 = limb1_U_v_0 - platform_twist_wx, /* limb1 */
+      limb1_lower_cos = SINES(cosine, 1), t33 = platform_turn_xy * t32, /* limb1 */
       t15 = limb1_lower_cos * platform_turn_xy, /* limb1 */
-      t36 = limb1_lower_cos * t35, /* limb1 */
-      t39 = limb5_S_v_wy * platform_turn_yy + t38, platform_turn_yz = t20 - t22, platform_turn_zy = t20 + t22,
-      platform_twist_wy = t39 + limb5_S_v_wz * platform_turn_yz;
+      t51 = limb1_lower_cos * t32, /* limb1 */
+      t36 = limb5_S_v_wy * platform_turn_yy + t35, platform_turn_yz = t20 - t22, platform_turn_zy = t20 + t22,
+      platform_twist_wy = t36 + limb5_S_v_wz * platform_turn_yz;
     WRITE(rates, 24, platform_twist_wy);
     /* limb1: velocities, eq. (6); geometry; results */
     const REAL limb1_U_v_1 = READ(v, 1);
     WRITE(rates, 1, limb1_U_v_1);
-    const REAL limb1_U_0_cos = SINES(cosine, 0), t41 = platform_twist_wy - limb1_U_v_1 * limb1_U_0_cos,
-      t55 = t53 - platform_turn_yy * t41, platform_twist_wz = t46 + (t47 + limb5_S_v_wy * platform_turn_zy);
+    const REAL limb1_U_0_cos = SINES(cosine, 0), t38 = platform_twist_wy - limb1_U_v_1 * limb1_U_0_cos,
+      t40 = t33 - platform_turn_yy * t38, platform_twist_wz = t43 + (t44 + limb5_S_v_wy * platform_turn_zy);
     WRITE(rates, 25, platform_twist_wz);
     const REAL limb1_U_0_sin = SINES(sine, 0);
     /* limb1: results; geometry */
-    const REAL t50 = platform_twist_wz - limb1_U_v_1 * limb1_U_0_sin, t57 = t55 - platform_turn_zy * t50,
+    const REAL t47 = platform_twist_wz - limb1_U_v_1 * limb1_U_0_sin, t49 = t40 - platform_turn_zy * t47,
       limb1_lower_sin = SINES(sine, 1), limb1_lower_rotation_yy = limb1_U_0_sin * limb1_lower_sin,
-      t19 = t15 + platform_turn_yy * limb1_lower_rotation_yy, t43 = t36 - limb1_lower_rotation_yy * t41,
+      t19 = t15 + platform_turn_yy * limb1_lower_rotation_yy, t53 = t51 - limb1_lower_rotation_yy * t38,
       minus_limb1_lower_rotation_zy = limb1_U_0_cos * limb1_lower_sin,
-      t24 = t19 - platform_turn_zy * minus_limb1_lower_rotation_zy, t52 = t43 + minus_limb1_lower_rotation_zy * t50,
-      t59 = t52 - t24 * t57, t62 = t57 - t24 * t52, t27 = 1.0 / (1.0 - t24 * t24), t60 = t27 * t59;
-    checked0 = checked0 + t60;
-    WRITE(rates, 3, -t60);
-    const REAL t63 = t27 * t62;
-    checked1 = checked1 + t63;
-    WRITE(rates, 4, -t63);
+      t24 = t19 - platform_turn_zy * minus_limb1_lower_rotation_zy, t55 = t53 + minus_limb1_lower_rotation_zy * t47,
+      t56 = t24 * t49 - t55, t61 = t24 * t55 - t49, t59 = 1.0 / (1.0 - t24 * t24);
+    RESULT(checked0, rates, 3, t56 * t59);
+    RESULT(checked1, rates, 4, t61 * t59);
     /* limb2: velocities, eq. (6); geometry; results */
     const REAL limb2_U_v_1 = READ(v, 4);
     WRITE(rates, 6, limb2_U_v_1);
-    const REAL limb2_U_0_sin = SINES(cosine, 2), t64 = platform_twist_wx - limb2_U_v_1 * limb2_U_0_sin,
+    const REAL limb2_U_0_sin = SINES(cosine, 2), t62 = platform_twist_wx - limb2_U_v_1 * limb2_U_0_sin,
       minus_limb2_U_0_cos = SINES(sine, 2);
     /* limb2: results; geometry */
-    const REAL t65 = limb2_U_0_sin * t64, t66 = platform_twist_wz + limb2_U_v_1 * minus_limb2_U_0_cos;
-    RESULT(checked2, rates, 8, t65 - minus_limb2_U_0_cos * t66);
+    const REAL t63 = limb2_U_0_sin * t62, t64 = platform_twist_wz + limb2_U_v_1 * minus_limb2_U_0_cos;
+    RESULT(checked2, rates, 8, t63 - minus_limb2_U_0_cos * t64);
     const REAL limb2_lower_cos = SINES(cosine, 3),
       minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos, limb2_lower_sin = SINES(sine, 3),
-      t69 = 0.5 * minus_limb2_lower_rotation_xx, t84 = k1 * minus_limb2_lower_rotation_xx,
+      t67 = (-0.5) * minus_limb2_lower_rotation_xx, t82 = k1 * minus_limb2_lower_rotation_xx,
       limb2_lower_rotation_xy = minus_limb2_U_0_cos * limb2_lower_sin, limb2_U_v_0 = READ(v, 3);
     WRITE(rates, 5, limb2_U_v_0);
-    const REAL t72 = (t69 + k1 * limb2_lower_rotation_xy) * t64, t87 = (t84 - 0.5 * limb2_lower_rotation_xy) * t64,
-      t76 = limb2_U_v_0 - platform_twist_wy, t78 = t72 + (0.5 * limb2_lower_sin - k1 * limb2_lower_cos) * t76,
-      minus_limb2_lower_rotation_zx = limb2_U_0_sin * limb2_lower_cos, t79 = 0.5 * minus_limb2_lower_rotation_zx,
-      t93 = k1 * minus_limb2_lower_rotation_zx, limb2_lower_rotation_zy = limb2_U_0_sin * limb2_lower_sin,
-      t83 = t78 + (t79 + k1 * limb2_lower_rotation_zy) * t66;
-    checked3 = checked3 + t83;
-    WRITE(rates, 9, -t83);
-    const REAL t96 = (t93 - 0.5 * limb2_lower_rotation_zy) * t66,
-      t97 = t87 + (k1 * limb2_lower_sin + 0.5 * limb2_lower_cos) * t76 + t96;
-    checked0 = checked0 + t97;
-    WRITE(rates, 10, -t97);
-    /* limb3: results; geometry; velocities, eq. (6) */
-    const REAL limb3_U_v_0 = READ(v, 6);
-    WRITE(rates, 11, limb3_U_v_0);
-    const REAL t102 = limb3_U_v_0 - platform_twist_wx, minus_limb3_lower_sin = SINES(sine, 5),
-      limb3_lower_cos = SINES(cosine, 5), limb3_U_v_1 = READ(v, 7);
+    const REAL t70 = (t67 - k1 * limb2_lower_rotation_xy) * t62, t84 = (0.5 * limb2_lower_rotation_xy - t82) * t62,
+      t74 = limb2_U_v_0 - platform_twist_wy, t76 = t70 - (0.5 * limb2_lower_sin - k1 * limb2_lower_cos) * t74,
+      minus_limb2_lower_rotation_zx = limb2_U_0_sin * limb2_lower_cos, t77 = 0.5 * minus_limb2_lower_rotation_zx,
+      t90 = k1 * minus_limb2_lower_rotation_zx, limb2_lower_rotation_zy = limb2_U_0_sin * limb2_lower_sin;
+    RESULT(checked3, rates, 9, t76 - (t77 + k1 * limb2_lower_rotation_zy) * t64);
+    const REAL t93 = (t90 - 0.5 * limb2_lower_rotation_zy) * t64;
+    RESULT(checked0, rates, 10, t84 - (k1 * limb2_lower_sin + 0.5 * limb2_lower_cos) * t74 - t93);
+    /* limb3: velocities, eq. (6); geometry; results */
+    const REAL limb3_U_v_1 = READ(v, 7);
     WRITE(rates, 12, limb3_U_v_1);
-    const REAL limb3_U_0_cos = SINES(cosine, 4), t103 = (0.5 * minus_limb3_lower_sin + k1 * limb3_lower_cos) * t102,
-      t107 = platform_twist_wy - limb3_U_v_1 * limb3_U_0_cos, limb4_U_v_0 = READ(v, 9);
+    const REAL limb3_U_0_cos = SINES(cosine, 4), t98 = platform_twist_wy - limb3_U_v_1 * limb3_U_0_cos,
+      limb4_U_v_0 = READ(v, 9);
     WRITE(rates, 17, limb4_U_v_0);
-    const REAL t143 = limb4_U_v_0 - platform_twist_wy, /* limb4 */
-      limb3_U_0_sin = SINES(sine, 4), minus_limb3_lower_rotation_yx = limb3_U_0_sin * limb3_lower_cos,
-      t104 = 0.5 * minus_limb3_lower_rotation_yx, t122 = k1 * minus_limb3_lower_rotation_yx,
-      minus_limb3_lower_rotation_yy = limb3_U_0_sin * minus_limb3_lower_sin,
-      t109 = t103 - (t104 - k1 * minus_limb3_lower_rotation_yy) * t107,
-      t125 = (t122 + 0.5 * minus_limb3_lower_rotation_yy) * t107, t116 = limb3_U_0_cos * t107,
-      t113 = platform_twist_wz - limb3_U_v_1 * limb3_U_0_sin,
-      limb3_lower_rotation_zx = limb3_U_0_cos * limb3_lower_cos, t110 = 0.5 * limb3_lower_rotation_zx,
-      t127 = k1 * limb3_lower_rotation_zx, limb3_lower_rotation_zy = limb3_U_0_cos * minus_limb3_lower_sin,
-      t115 = t109 + (t110 - k1 * limb3_lower_rotation_zy) * t113;
-    checked1 = checked1 + t115;
-    WRITE(rates, 14, -t115);
-    const REAL t130 = (t127 + 0.5 * limb3_lower_rotation_zy) * t113;
-    RESULT(checked2, rates, 15, t116 + limb3_U_0_sin * t113);
-    RESULT(checked3, rates, 16, (k1 * minus_limb3_lower_sin - 0.5 * limb3_lower_cos) * t102 - t125 + t130);
+    const REAL t138 = limb4_U_v_0 - platform_twist_wy, /* limb4 */
+      limb3_U_0_sin = SINES(sine, 4), limb3_lower_cos = SINES(cosine, 5),
+      minus_limb3_lower_rotation_yx = limb3_U_0_sin * limb3_lower_cos, minus_limb3_lower_sin = SINES(sine, 5);
+    /* limb3: results; geometry */
+    const REAL t95 = 0.5 * minus_limb3_lower_rotation_yx, t117 = k1 * minus_limb3_lower_rotation_yx,
+      minus_limb3_lower_rotation_yy = limb3_U_0_sin * minus_limb3_lower_sin, limb3_U_v_0 = READ(v, 6);
+    WRITE(rates, 11, limb3_U_v_0);
+    const REAL t99 = (t95 - k1 * minus_limb3_lower_rotation_yy) * t98,
+      t120 = (t117 + 0.5 * minus_limb3_lower_rotation_yy) * t98, t111 = limb3_U_0_cos * t98,
+      t103 = limb3_U_v_0 - platform_twist_wx,
+      t105 = t99 - (0.5 * minus_limb3_lower_sin + k1 * limb3_lower_cos) * t103,
+      t109 = platform_twist_wz - limb3_U_v_1 * limb3_U_0_sin,
+      limb3_lower_rotation_zx = limb3_U_0_cos * limb3_lower_cos, t106 = 0.5 * limb3_lower_rotation_zx,
+      t122 = k1 * limb3_lower_rotation_zx, limb3_lower_rotation_zy = limb3_U_0_cos * minus_limb3_lower_sin;
+    RESULT(checked1, rates, 14, t105 - (t106 - k1 * limb3_lower_rotation_zy) * t109);
+    const REAL t125 = (t122 + 0.5 * limb3_lower_rotation_zy) * t109;
+    RESULT(checked2, rates, 15, t111 + limb3_U_0_sin * t109);
+    RESULT(checked3, rates, 16, (k1 * minus_limb3_lower_sin - 0.5 * limb3_lower_cos) * t103 - t120 + t125);
     /* limb4: velocities, eq. (6); geometry; results */
     const REAL limb4_U_v_1 = READ(v, 10);
     WRITE(rates, 18, limb4_U_v_1);
-    const REAL limb4_U_0_sin = SINES(cosine, 6), t131 = platform_twist_wx - limb4_U_v_1 * limb4_U_0_sin,
+    const REAL limb4_U_0_sin = SINES(cosine, 6), t126 = platform_twist_wx - limb4_U_v_1 * limb4_U_0_sin,
       minus_limb4_U_0_cos = SINES(sine, 6);
     /* limb4: results; geometry */
-    const REAL t132 = limb4_U_0_sin * t131, t133 = platform_twist_wz + limb4_U_v_1 * minus_limb4_U_0_cos;
-    RESULT(checked0, rates, 20, t132 - minus_limb4_U_0_cos * t133);
+    const REAL t127 = limb4_U_0_sin * t126, t128 = platform_twist_wz + limb4_U_v_1 * minus_limb4_U_0_cos;
+    RESULT(checked0, rates, 20, t127 - minus_limb4_U_0_cos * t128);
     const REAL limb4_lower_cos = SINES(cosine, 7),
       minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos, minus_limb4_lower_sin = SINES(sine, 7),
-      t136 = 0.5 * minus_limb4_lower_rotation_xx, t150 = k1 * minus_limb4_lower_rotation_xx,
+      t131 = 0.5 * minus_limb4_lower_rotation_xx, t149 = k1 * minus_limb4_lower_rotation_xx,
       minus_limb4_lower_rotation_xy = minus_limb4_U_0_cos * minus_limb4_lower_sin,
-      t139 = (t136 + k1 * minus_limb4_lower_rotation_xy) * t131,
-      t153 = (t150 - 0.5 * minus_limb4_lower_rotation_xy) * t131,
-      t145 = t139 - (0.5 * minus_limb4_lower_sin - k1 * limb4_lower_cos) * t143,
-      minus_limb4_lower_rotation_zx = limb4_U_0_sin * limb4_lower_cos, t146 = 0.5 * minus_limb4_lower_rotation_zx,
-      t159 = k1 * minus_limb4_lower_rotation_zx,
+      t134 = (t131 + k1 * minus_limb4_lower_rotation_xy) * t126,
+      t152 = (t149 - 0.5 * minus_limb4_lower_rotation_xy) * t126,
+      t140 = t134 - (0.5 * minus_limb4_lower_sin - k1 * limb4_lower_cos) * t138,
+      minus_limb4_lower_rotation_zx = limb4_U_0_sin * limb4_lower_cos, t141 = 0.5 * minus_limb4_lower_rotation_zx,
+      t154 = k1 * minus_limb4_lower_rotation_zx,
       minus_limb4_lower_rotation_zy = limb4_U_0_sin * minus_limb4_lower_sin;
-    RESULT(checked1, rates, 21, t145 + (t146 + k1 * minus_limb4_lower_rotation_zy) * t133);
-    const REAL t162 = (t159 - 0.5 * minus_limb4_lower_rotation_zy) * t133,
-      t163 = t153 - (k1 * minus_limb4_lower_sin + 0.5 * limb4_lower_cos) * t143 + t162;
-    checked2 = checked2 + t163;
-    WRITE(rates, 22, -t163);
+    RESULT(checked1, rates, 21, t140 + (t141 + k1 * minus_limb4_lower_rotation_zy) * t128);
+    const REAL t157 = (t154 - 0.5 * minus_limb4_lower_rotation_zy) * t128;
+    RESULT(checked2, rates, 22, (k1 * minus_limb4_lower_sin + 0.5 * limb4_lower_cos) * t138 - t152 - t157);
     const REAL limb1_P_v = READ(v, 2);
     WRITE(rates, 2, limb1_P_v);
     checked3 = checked3 + limb1_P_v;
@@ -1334,12 +1311,17 @@ BODY(three_ups_upu_s_drive_positions)(size_t stride, const double *restrict pose
       limb3_lower_limb_target_x = t14 + t18,
       t43 = limb3_lower_limb_target_x * limb3_lower_limb_target_x, /* limb3 */
       t19 = minus_limb1_lower_limb_target_x * minus_limb1_lower_limb_target_x, /* limb1 */
-      platform_turn_xz = t20 + t21, t22 = 0.5 * (t20 - t21), t30 = param_H * platform_turn_xz,
-      minus_limb1_lower_limb_target_y = t22 - t25, limb3_lower_limb_target_y = t22 + t25,
-      t45 = t43 + limb3_lower_limb_target_y * limb3_lower_limb_target_y; /* limb3 */
+      t53 = platform_turn_yy * minus_limb1_lower_limb_target_x, /* limb1 */
+      t40 = 0.5 * platform_turn_yy, platform_turn_xz = t20 + t21, t22 = 0.5 * (t20 - t21),
+      t30 = param_H * platform_turn_xz, minus_limb1_lower_limb_target_y = t22 - t25,
+      limb3_lower_limb_target_y = t22 + t25,
+      t45 = t43 + limb3_lower_limb_target_y * limb3_lower_limb_target_y, /* limb3 */
+      t27 = t19 + minus_limb1_lower_limb_target_y * minus_limb1_lower_limb_target_y, /* limb1 */
+      t55 = t53 + platform_turn_zy * minus_limb1_lower_limb_target_y, /* limb1 */
+      t33 = 0.5 * platform_turn_zy;
     /* limb1: geometry; results; loop closure */
-    const REAL t27 = t19 + minus_limb1_lower_limb_target_y * minus_limb1_lower_limb_target_y,
-      limb1_lower_limb_target_z = param_R - (t29 - t30), minus_limb3_lower_limb_target_z = param_R - (t29 + t30),
+    const REAL limb1_lower_limb_target_z = param_R - (t29 - t30),
+      minus_limb3_lower_limb_target_z = param_R - (t29 + t30),
       limb3_P_positions = SQRT(t45 + minus_limb3_lower_limb_target_z * minus_limb3_lower_limb_target_z) -
           limb_upper_phase;
     WRITE(positions, 2, limb3_P_positions);
@@ -1348,18 +1330,11 @@ BODY(three_ups_upu_s_drive_positions)(size_t stride, const double *restrict pose
       limb1_P_positions = limb1_lower_limb_length - limb_upper_phase;
     WRITE(positions, 0, limb1_P_positions);
     REAL checked1 = limb1_P_positions;
-    const REAL minus_limb1_U_0_lever_mz_by_limb1_U2_fz = SQRT(t27), t53 = 1.0 / limb1_lower_limb_length,
-      limb1_lower_sin = limb1_lower_limb_target_z * t53,
-      limb1_lower_cos = minus_limb1_U_0_lever_mz_by_limb1_U2_fz * t53,
-      t54 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz,
-      minus_limb1_U_0_cos = minus_limb1_lower_limb_target_y * t54,
-      t55 = platform_turn_yy * (minus_limb1_lower_limb_target_x * t54),
-      t40 = 0.5 * platform_turn_yy, /* platform */
-      t58 = limb1_lower_sin * (t55 + platform_turn_zy * minus_limb1_U_0_cos),
-      t33 = 0.5 * platform_turn_zy, /* platform */
-      limb1_U2_opening_mn = t58 + platform_turn_xy * limb1_lower_cos, t60 = limb1_U2_opening_mn *
-          limb1_U2_opening_mn,
-      t35 = 0.5 * platform_turn_xy, /* platform */
+    const REAL minus_limb1_U_0_lever_mz_by_limb1_U2_fz = SQRT(t27),
+      t57 = limb1_lower_limb_target_z * (t55 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz),
+      limb1_U2_opening_mn = (t57 + platform_turn_xy * minus_limb1_U_0_lever_mz_by_limb1_U2_fz) /
+          limb1_lower_limb_length,
+      t60 = limb1_U2_opening_mn * limb1_U2_opening_mn, t35 = 0.5 * platform_turn_xy, /* platform */
       limb2_lower_limb_target_x = t25 - t33, limb4_lower_limb_target_x = t25 + t33,
       t34 = limb2_lower_limb_target_x * limb2_lower_limb_target_x, /* limb2 */
       t48 = limb4_lower_limb_target_x * limb4_lower_limb_target_x, /* limb4 */
@@ -1386,9 +1361,9 @@ BODY(three_ups_upu_s_drive_positions)(size_t stride, const double *restrict pose
 
 #if !defined(THREE_UPS_UPU_S_LANES) || THREE_UPS_UPU_S_LANES == 4
 typedef struct {
-    EACH4 signed_lower_limb_target_x, signed_lower_limb_target_y, signed_U_0_lever_mz_by_S_fz, t1,
-      signed_upper_position_x, signed_U_0_cos, signed_U_0_sin, lower_limb_length, t2, signed_lower_sin,
-      signed_lower_cos, checked;
+    EACH4 signed_lower_limb_target_x, signed_upper_position_x, signed_lower_limb_target_y,
+      signed_U_0_lever_mz_by_S_fz, t1, signed_U_0_sin, signed_U_0_cos, lower_limb_length, t2,
+      signed_lower_sin, signed_lower_cos, checked;
 } LIMBS(inverse_velocity);
 
 STAGE(inverse_velocity, 0)(size_t limb, size_t stride, const EACH4 given, const EACH4 given_2,
@@ -1401,13 +1376,13 @@ STAGE(inverse_velocity, 0)(size_t limb, size_t stride, const EACH4 given, const 
     /* each limb: geometry; reciprocal wrenches, eq. (10) */
     OWN(signed_lower_limb_target_x) = GIVEN(given) - sign1 * GIVEN(given_2);
     const LIMB4 t1 = OWN(signed_lower_limb_target_x) * OWN(signed_lower_limb_target_x);
-    OWN(signed_lower_limb_target_y) = GIVEN(given_3) - sign1 * GIVEN(given_4);
+    OWN(signed_lower_limb_target_y) = GIVEN(given_5) - sign1 * GIVEN(given_6);
     const LIMB4 t3 = t1 + OWN(signed_lower_limb_target_y) * OWN(signed_lower_limb_target_y);
     OWN(signed_U_0_lever_mz_by_S_fz) = SQRT4(t3);
     OWN(t1) = 1.0 / OWN(signed_U_0_lever_mz_by_S_fz);
-    OWN(signed_U_0_cos) = OWN(signed_lower_limb_target_y) * OWN(t1);
     OWN(signed_U_0_sin) = OWN(signed_lower_limb_target_x) * OWN(t1);
-    OWN(signed_upper_position_x) = GIVEN(given_5) - sign1 * GIVEN(given_6);
+    OWN(signed_U_0_cos) = OWN(signed_lower_limb_target_y) * OWN(t1);
+    OWN(signed_upper_position_x) = GIVEN(given_3) - sign1 * GIVEN(given_4);
     const LIMB4 signed_lower_limb_target_z = OWN(signed_upper_position_x) + each_param_R;
     OWN(lower_limb_length) = SQRT4(t3 + signed_lower_limb_target_z * signed_lower_limb_target_z);
     LIMB4 checked = OWN(lower_limb_length);
@@ -1417,19 +1392,19 @@ STAGE(inverse_velocity, 0)(size_t limb, size_t stride, const EACH4 given, const 
     OWN(checked) = checked;
 }
 
-STAGE(inverse_velocity, 1)(size_t limb, size_t stride, double *restrict v, const EACH4 platform_twist_wz,
-    const EACH4 platform_twist_wx, const EACH4 platform_twist_wy, LIMBS(inverse_velocity) *own)
+STAGE(inverse_velocity, 1)(size_t limb, size_t stride, double *restrict v, const EACH4 platform_twist_wx,
+    const EACH4 platform_twist_wy, const EACH4 platform_twist_wz, LIMBS(inverse_velocity) *own)
 {
     (void)limb, (void)stride;
     const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, 1.0);
     /* each limb: loop closure; velocities, eq. (6) */
-    const LIMB4 t1 = OWN(signed_upper_position_x) * GIVEN(platform_twist_wz),
-      t3 = t1 - OWN(signed_lower_limb_target_y) * GIVEN(platform_twist_wx), t9 = t3 * OWN(signed_U_0_sin),
-      t4 = t3 * OWN(signed_U_0_cos), t6 = OWN(signed_upper_position_x) * GIVEN(platform_twist_wy),
-      t7 = t6 - OWN(signed_lower_limb_target_x) * GIVEN(platform_twist_wx), t11 = t9 - t7 * OWN(signed_U_0_cos),
-      minus_U_0_omega_z = OWN(t1) * (t4 + t7 * OWN(signed_U_0_sin));
-    WRITE4(v, 0, 3, 6, 9, -minus_U_0_omega_z);
-    LIMB4 checked = OWN(checked) + minus_U_0_omega_z;
+    const LIMB4 t5 = OWN(signed_upper_position_x) * GIVEN(platform_twist_wz),
+      t7 = t5 - OWN(signed_lower_limb_target_y) * GIVEN(platform_twist_wx), t9 = t7 * OWN(signed_U_0_sin),
+      t8 = t7 * OWN(signed_U_0_cos), t1 = OWN(signed_lower_limb_target_x) * GIVEN(platform_twist_wx),
+      t3 = t1 - OWN(signed_upper_position_x) * GIVEN(platform_twist_wy), t11 = t9 + t3 * OWN(signed_U_0_cos),
+      U_0_omega_z = (t3 * OWN(signed_U_0_sin) - t8) * OWN(t1);
+    WRITE4(v, 0, 3, 6, 9, U_0_omega_z);
+    LIMB4 checked = OWN(checked) + U_0_omega_z;
     const LIMB4 t17 = OWN(signed_lower_cos) * t11, t12 = OWN(signed_lower_sin) * t11,
       t14 = OWN(signed_lower_limb_target_x) * GIVEN(platform_twist_wz),
       t15 = t14 - OWN(signed_lower_limb_target_y) * GIVEN(platform_twist_wy),
@@ -1451,51 +1426,52 @@ BODY(three_ups_upu_s_inverse_velocity)(size_t stride, const double *restrict pos
       t1 = limb5_S_pose_qw * limb5_S_pose_qw, t2 = limb5_S_pose_qx * limb5_S_pose_qx, limb5_S_pose_qy = READ(pose,
           2),
       t3 = t1 + t2, t4 = limb5_S_pose_qy * limb5_S_pose_qy, limb5_S_pose_qz = READ(pose, 3),
-      t5 = limb5_S_pose_qz * limb5_S_pose_qz, t6 = t4 + t5, t7 = t3 + t6, t9 = 4.0 - 2.0 * t7, t30 = t2 + t5,
-      platform_turn_zz = 1.0 - t9 * (t2 + t4), platform_turn_xx = 1.0 - t6 * t9, platform_turn_yy = 1.0 - t9 * t30,
-      t12 = limb5_S_pose_qz * t9, t23 = limb5_S_pose_qx * t12, t10 = limb5_S_pose_qy * t9,
-      t17 = limb5_S_pose_qw * (limb5_S_pose_qx * t9), t24 = limb5_S_pose_qw * t10, t11 = limb5_S_pose_qx * t10,
-      platform_turn_zx = t23 - t24, platform_turn_xz = t23 + t24, limb5_S_rate_wx = READ(rate, 0);
-    WRITE(v, 12, limb5_S_rate_wx);
-    const REAL t34 = limb5_S_rate_wx * platform_turn_zx, t25 = 0.5 * platform_turn_zx, t15 = limb5_S_pose_qy * t12,
-      t13 = limb5_S_pose_qw * t12, platform_turn_zy = t15 + t17, platform_turn_yz = t15 - t17,
+      t5 = limb5_S_pose_qz * limb5_S_pose_qz, t6 = t4 + t5, t7 = t3 + t6, t9 = 4.0 - 2.0 * t7,
+      platform_turn_xx = 1.0 - t6 * t9, t19 = t2 + t4, platform_turn_yy = 1.0 - t9 * (t2 + t5),
+      platform_turn_zz = 1.0 - t9 * t19, t10 = limb5_S_pose_qy * t9, t11 = limb5_S_pose_qx * t10,
+      t28 = limb5_S_pose_qw * t10, t12 = limb5_S_pose_qz * t9, t17 = limb5_S_pose_qw * (limb5_S_pose_qx * t9),
+      t13 = limb5_S_pose_qw * t12, platform_turn_xy = t11 - t13, platform_turn_yx = t11 + t13,
       limb5_S_rate_wy = READ(rate, 1);
     WRITE(v, 13, limb5_S_rate_wy);
-    const REAL limb5_S_rate_wz = READ(rate, 2);
+    const REAL limb5_S_rate_wx = READ(rate, 0);
+    WRITE(v, 12, limb5_S_rate_wx);
+    const REAL t26 = limb5_S_rate_wx * platform_turn_xx + limb5_S_rate_wy * platform_turn_xy,
+      t36 = 0.5 * platform_turn_xx, t27 = limb5_S_pose_qx * t12, t15 = limb5_S_pose_qy * t12,
+      platform_turn_xz = t27 + t28, platform_turn_zx = t27 - t28, limb5_S_rate_wz = READ(rate, 2);
     WRITE(v, 14, limb5_S_rate_wz);
-    const REAL platform_twist_wz = limb5_S_rate_wz * platform_turn_zz + (t34 + limb5_S_rate_wy * platform_turn_zy),
-      t21 = param_H * platform_turn_zz, platform_turn_xy = t11 - t13, platform_turn_yx = t11 + t13,
-      t39 = limb5_S_rate_wx * platform_turn_xx + limb5_S_rate_wy * platform_turn_xy, t29 = 0.5 * platform_turn_xx,
-      platform_twist_wx = t39 + limb5_S_rate_wz * platform_turn_xz, t26 = param_H * platform_turn_xz;
-    const EACH4 given_3 = {t25, t26, t25, t26},
+    const REAL platform_twist_wx = t26 + limb5_S_rate_wz * platform_turn_xz, t37 = param_H * platform_turn_xz,
+      t33 = limb5_S_rate_wx * platform_turn_yx, t14 = 0.5 * platform_turn_yx,
+      t34 = limb5_S_rate_wy * platform_turn_yy + t33, platform_turn_yz = t15 - t17, platform_turn_zy = t15 + t17,
+      platform_twist_wy = t34 + limb5_S_rate_wz * platform_turn_yz, t18 = param_H * platform_turn_yz;
+    const EACH4 given_3 = {t36, t18, t36, t18},
+      platform_twist_wx_2 = {platform_twist_wx, platform_twist_wy, platform_twist_wx, platform_twist_wy};
+    const REAL t40 = limb5_S_rate_wx * platform_turn_zx, t43 = 0.5 * platform_turn_zx;
+    const EACH4 given_5 = {t43, t37, t43, t37};
+    const REAL platform_twist_wz = limb5_S_rate_wz * platform_turn_zz + (t40 + limb5_S_rate_wy * platform_turn_zy);
+    const EACH4 platform_twist_wy_2 = {platform_twist_wy, platform_twist_wz, platform_twist_wy, platform_twist_wz},
       platform_twist_wz_2 = {platform_twist_wz, platform_twist_wx, platform_twist_wz, platform_twist_wx};
-    const REAL t42 = limb5_S_rate_wx * platform_turn_yx, t14 = 0.5 * platform_turn_yx;
+    const REAL t21 = param_H * platform_turn_zz;
     const EACH4 given = {t14, t21, t14, t21};
-    const REAL platform_twist_wy = limb5_S_rate_wy * platform_turn_yy + t42 + limb5_S_rate_wz * platform_turn_yz;
-    const EACH4 platform_twist_wx_2 = {platform_twist_wx, platform_twist_wy, platform_twist_wx, platform_twist_wy},
-      platform_twist_wy_2 = {platform_twist_wy, platform_twist_wz, platform_twist_wy, platform_twist_wz};
-    const REAL t18 = param_H * platform_turn_yz;
-    const EACH4 given_5 = {t29, t18, t29, t18};
     const REAL t22 = 0.5 * platform_turn_zy;
     const EACH4 given_2 = {t18, t22, t18, t22};
-    const REAL t27 = 0.5 * platform_turn_xy;
-    const EACH4 given_4 = {t21, t27, t21, t27};
-    const REAL t32 = 0.5 * platform_turn_yy;
-    const EACH4 given_6 = {t26, t32, t26, t32};
+    const REAL t38 = 0.5 * platform_turn_yy;
+    const EACH4 given_4 = {t37, t38, t37, t38};
+    const REAL t44 = 0.5 * platform_turn_xy;
+    const EACH4 given_6 = {t21, t44, t21, t44};
     FIRST_LIMB(3, inverse_velocity, 0, stride, given, given_2, given_3, given_4, given_5, given_6, &limbs);
-    FIRST_LIMB(3, inverse_velocity, 1, stride, v, platform_twist_wz_2, platform_twist_wx_2, platform_twist_wy_2,
+    FIRST_LIMB(3, inverse_velocity, 1, stride, v, platform_twist_wx_2, platform_twist_wy_2, platform_twist_wz_2,
         &limbs);
     REAL checked0 = ALONE(limbs.checked[3]);
     NEXT_LIMB(2, inverse_velocity, 0, stride, given, given_2, given_3, given_4, given_5, given_6, &limbs);
-    NEXT_LIMB(2, inverse_velocity, 1, stride, v, platform_twist_wz_2, platform_twist_wx_2, platform_twist_wy_2,
+    NEXT_LIMB(2, inverse_velocity, 1, stride, v, platform_twist_wx_2, platform_twist_wy_2, platform_twist_wz_2,
         &limbs);
     REAL checked1 = ALONE(limbs.checked[2]);
     NEXT_LIMB(1, inverse_velocity, 0, stride, given, given_2, given_3, given_4, given_5, given_6, &limbs);
     NEXT_LIMB(0, inverse_velocity, 0, stride, given, given_2, given_3, given_4, given_5, given_6, &limbs);
-    NEXT_LIMB(1, inverse_velocity, 1, stride, v, platform_twist_wz_2, platform_twist_wx_2, platform_twist_wy_2,
+    NEXT_LIMB(1, inverse_velocity, 1, stride, v, platform_twist_wx_2, platform_twist_wy_2, platform_twist_wz_2,
         &limbs);
     REAL checked2 = ALONE(limbs.checked[1]);
-    NEXT_LIMB(0, inverse_velocity, 1, stride, v, platform_twist_wz_2, platform_twist_wx_2, platform_twist_wy_2,
+    NEXT_LIMB(0, inverse_velocity, 1, stride, v, platform_twist_wx_2, platform_twist_wy_2, platform_twist_wz_2,
         &limbs);
     REAL checked3 = ALONE(limbs.checked[0]);
     const REAL t48 = limbs.signed_lower_sin[0] * (platform_turn_yy * limbs.signed_U_0_sin[0] + platform_turn_zy *
@@ -1629,8 +1605,8 @@ BODY(three_ups_upu_s_joint_displacements)(size_t stride, const double *restrict 
     const REAL limb5_S_q_qx = READ(q, 13), t2 = limb5_S_q_qw * limb5_S_q_qw, t3 = limb5_S_q_qx * limb5_S_q_qx,
       limb5_S_q_qy = READ(q, 14), t4 = t2 + t3, t5 = limb5_S_q_qy * limb5_S_q_qy, limb5_S_q_qz = READ(q, 15),
       t6 = limb5_S_q_qz * limb5_S_q_qz, t7 = t5 + t6, t8 = t4 + t7, t10 = 4.0 - 2.0 * t8,
-      platform_turn_xx = 1.0 - t7 * t10, t39 = t3 + t5, platform_turn_yy = 1.0 - t10 * (t3 + t6), t515 = t6 + t39,
-      platform_turn_zz = 1.0 - t10 * t39, t516 = SQRT(t515), t13 = limb5_S_q_qz * t10, t19 = limb5_S_q_qy * t13,
+      platform_turn_xx = 1.0 - t7 * t10, t39 = t3 + t5, platform_turn_yy = 1.0 - t10 * (t3 + t6), t507 = t6 + t39,
+      platform_turn_zz = 1.0 - t10 * t39, t508 = SQRT(t507), t13 = limb5_S_q_qz * t10, t19 = limb5_S_q_qy * t13,
       t21 = limb5_S_q_qw * (limb5_S_q_qx * t10), t11 = limb5_S_q_qy * t10, platform_turn_zy = t19 + t21,
       platform_turn_yz = t19 - t21, limb1_U_0_cos = SINES(cosine, 0), limb1_U_0_sin = SINES(sine, 0),
       limb1_lower_cos = SINES(cosine, 1),
@@ -1650,153 +1626,150 @@ BODY(three_ups_upu_s_joint_displacements)(size_t stride, const double *restrict 
       t30 = limb1_lower_cos * platform_turn_xx + platform_turn_yx * limb1_lower_rotation_yy,
       platform_turn_zx = t31 - t32, platform_turn_xz = t31 + t32,
       minus_limb1_lower_rotation_zy = limb1_U_0_cos * limb1_lower_sin,
-      t34 = t30 - platform_turn_zx * minus_limb1_lower_rotation_zy, t35 = 0.5 * t34, t46 = k1 * t34,
+      t34 = t30 - platform_turn_zx * minus_limb1_lower_rotation_zy, t35 = (-0.5) * t34, t45 = k1 * t34,
       t42 = limb1_lower_cos * platform_turn_xz + t37 - platform_turn_zz * minus_limb1_lower_rotation_zy,
-      t49 = atan2(-(t35 + k1 * t42), t46 - 0.5 * t42);
-    REAL checked2 = t49;
-    WRITE(displacements, 4, -t49);
+      t48 = atan2(t35 - k1 * t42, t45 - 0.5 * t42);
+    REAL checked2 = t48;
+    WRITE(displacements, 4, -t48);
     /* platform: results */
-    const REAL t51 = 0.5 * platform_turn_zy, t52 = k1 * platform_turn_zz, t73 = 0.5 * platform_turn_zz,
-      t53 = t51 + t52, t366 = t51 - t52, limb2_U_0_sin = SINES(cosine, 2), minus_limb2_U_0_cos = SINES(sine, 2),
-      t54 = limb2_U_0_sin * t53, /* limb2 */
-      t144 = minus_limb2_U_0_cos * t53, /* limb2 */
-      t55 = 0.5 * platform_turn_xy, t56 = k1 * platform_turn_xz, t77 = 0.5 * platform_turn_xz, t57 = t55 + t56,
-      t368 = t55 - t56, t59 = t54 + minus_limb2_U_0_cos * t57, /* limb2 */
-      t146 = t144 - limb2_U_0_sin * t57, /* limb2 */
+    const REAL t54 = 0.5 * platform_turn_zy, t55 = k1 * platform_turn_zz, t76 = 0.5 * platform_turn_zz,
+      t56 = t54 + t55, t361 = t54 - t55, limb2_U_0_sin = SINES(cosine, 2), minus_limb2_U_0_cos = SINES(sine, 2),
+      t57 = limb2_U_0_sin * t56, /* limb2 */
+      t142 = minus_limb2_U_0_cos * t56, /* limb2 */
+      t58 = 0.5 * platform_turn_xy, t59 = k1 * platform_turn_xz, t80 = 0.5 * platform_turn_xz, t60 = t58 + t59,
+      t363 = t58 - t59, t62 = t57 + minus_limb2_U_0_cos * t60, /* limb2 */
+      t144 = t142 - limb2_U_0_sin * t60, /* limb2 */
       limb2_lower_cos = SINES(cosine, 3), limb2_lower_sin = SINES(sine, 3),
-      t60 = limb2_lower_cos * t59, /* limb2 */
-      t67 = limb2_lower_sin * t59, /* limb2 */
-      t62 = k1 * platform_turn_yz, t83 = 0.5 * platform_turn_yz, t61 = 0.5 * platform_turn_yy, t63 = t61 + t62,
-      t372 = t61 - t62;
+      t63 = limb2_lower_cos * t62, /* limb2 */
+      t70 = limb2_lower_sin * t62, /* limb2 */
+      t65 = k1 * platform_turn_yz, t86 = 0.5 * platform_turn_yz, t64 = 0.5 * platform_turn_yy, t66 = t64 + t65,
+      t367 = t64 - t65;
     /* limb2: results */
-    const REAL t65 = t60 - limb2_lower_sin * t63, t69 = t67 + limb2_lower_cos * t63, t66 = k1 * t65,
-      t98 = 0.5 * t65 + k1 * t69, t71 = t66 - 0.5 * t69, t99 = 0.5 * t98, t163 = k1 * t98,
-      t74 = k1 * platform_turn_zy, /* platform */
-      t75 = t73 - t74, /* platform */
-      t382 = t73 + t74, /* platform */
-      t76 = limb2_U_0_sin * t75, t148 = minus_limb2_U_0_cos * t75, t78 = k1 * platform_turn_xy, /* platform */
-      t79 = t77 - t78, /* platform */
-      t384 = t77 + t78, /* platform */
-      t81 = t76 + minus_limb2_U_0_cos * t79, t150 = t148 - limb2_U_0_sin * t79, t82 = limb2_lower_cos * t81,
-      t89 = limb2_lower_sin * t81, t84 = k1 * platform_turn_yy, /* platform */
-      t85 = t83 - t84, /* platform */
-      t388 = t83 + t84, /* platform */
-      t87 = t82 - limb2_lower_sin * t85, t91 = t89 + limb2_lower_cos * t85, t88 = k1 * t87,
-      t102 = 0.5 * t87 + k1 * t91, t93 = t88 - 0.5 * t91, t104 = t99 - k1 * t102, t165 = t163 + 0.5 * t102,
-      t107 = minus_limb2_U_0_cos * platform_turn_zx - limb2_U_0_sin * platform_turn_xx, t109 = t104 - (1.0 - t107),
-      t166 = 0.5 * t71, t95 = k1 * t71 + 0.5 * t93, t111 = -(t95 + t109), t168 = t166 - k1 * t93,
-      t116 = t95 + (t104 + (t107 + (1.0 - 2.0 * t107))), t117 = LESS(t111, t116), t118 = SELECT(t117, t116, t111),
-      t123 = t95 + (t104 + (t107 + (1.0 - 2.0 * t104))), t124 = LESS(t118, t123), t125 = SELECT(t124, t123, t118),
-      t130 = t95 + (t104 + (t107 + (1.0 - 2.0 * t95))), t131 = LESS(t125, t130),
-      t176 = 1.0 / (2.0 * SQRT(SELECT(t131, t130, t125))), t169 = t165 - t168, t170 = SELECT(t117, t116, t169),
-      t180 = SELECT(t117, t169, t111), t188 = -(t165 + t168),
-      t134 = limb2_U_0_sin * platform_turn_zx + minus_limb2_U_0_cos * platform_turn_xx, t139 = limb2_lower_sin *
-          t134,
-      t137 = limb2_lower_cos * t134 - limb2_lower_sin * platform_turn_yx, t155 = 0.5 * t137, t138 = k1 * t137,
-      t141 = t139 + limb2_lower_cos * platform_turn_yx, t157 = t155 + k1 * t141, t143 = t138 - 0.5 * t141,
-      t147 = k1 * t146, t160 = 0.5 * t146 - k1 * t150, t152 = t147 + 0.5 * t150, t161 = t157 + t160,
-      t178 = t160 - t157, t162 = -t161, t171 = SELECT(t124, t162, t170), t153 = t143 + t152, t179 = t143 - t152,
-      t154 = -t153, t177 = SELECT(t131, t154, t171) * t176,
-      t197 = SELECT(t131, t130, SELECT(t124, t188, SELECT(t117, t154, t178))),
-      t182 = SELECT(t131, t178, SELECT(t124, t179, t180)),
-      t192 = SELECT(t131, t188, SELECT(t124, t123, SELECT(t117, t162, t179))) * t176, t198 = t197 * t176,
-      t183 = t182 * t176, t201 = SQRT(t177 * t177 + t192 * t192 + t198 * t198),
-      t185 = SELECT(LESS(t183, 0.0), (-1.0), 1.0), t205 = 2.0 * atan2(t201, t183 * t185), t202 = LESS(t201,
+    const REAL t68 = t63 - limb2_lower_sin * t66, t72 = t70 + limb2_lower_cos * t66, t100 = k1 * t68,
+      t74 = 0.5 * t68 + k1 * t72, t102 = t100 - 0.5 * t72, t75 = 0.5 * t74, t161 = k1 * t74,
+      t77 = k1 * platform_turn_zy, /* platform */
+      t78 = t76 - t77, /* platform */
+      t377 = t76 + t77, /* platform */
+      t79 = limb2_U_0_sin * t78, t146 = minus_limb2_U_0_cos * t78, t81 = k1 * platform_turn_xy, /* platform */
+      t82 = t80 - t81, /* platform */
+      t379 = t80 + t81, /* platform */
+      t84 = t79 + minus_limb2_U_0_cos * t82, t148 = t146 - limb2_U_0_sin * t82, t85 = limb2_lower_cos * t84,
+      t92 = limb2_lower_sin * t84, t87 = k1 * platform_turn_yy, /* platform */
+      t88 = t86 - t87, /* platform */
+      t383 = t86 + t87, /* platform */
+      t90 = t85 - limb2_lower_sin * t88, t94 = t92 + limb2_lower_cos * t88, t104 = k1 * t90,
+      t96 = 0.5 * t90 + k1 * t94, t106 = t104 - 0.5 * t94, t98 = t75 - k1 * t96, t163 = t161 + 0.5 * t96,
+      t118 = 1.0 - 2.0 * t98, t51 = minus_limb2_U_0_cos * platform_turn_zx - limb2_U_0_sin * platform_turn_xx,
+      t120 = t98 + (t51 + t118), t164 = 0.5 * t102, t108 = k1 * t102 + 0.5 * t106, t121 = t108 + t120,
+      t166 = t164 - k1 * t106, t109 = 1.0 - t51 - t98 - t108, t114 = t108 + (t98 + (t51 + (1.0 - 2.0 * t51))),
+      t115 = LESS(t109, t114), t116 = SELECT(t115, t114, t109), t122 = LESS(t116, t121),
+      t123 = SELECT(t122, t121, t116), t128 = t108 + (t98 + (t51 + (1.0 - 2.0 * t108))), t129 = LESS(t123, t128),
+      t174 = 1.0 / (2.0 * SQRT(SELECT(t129, t128, t123))), t167 = t163 - t166, t168 = SELECT(t115, t114, t167),
+      t178 = SELECT(t115, t167, t109), t186 = -(t163 + t166),
+      t132 = limb2_U_0_sin * platform_turn_zx + minus_limb2_U_0_cos * platform_turn_xx, t137 = limb2_lower_sin *
+          t132,
+      t135 = limb2_lower_cos * t132 - limb2_lower_sin * platform_turn_yx, t153 = 0.5 * t135, t136 = k1 * t135,
+      t139 = t137 + limb2_lower_cos * platform_turn_yx, t155 = t153 + k1 * t139, t141 = t136 - 0.5 * t139,
+      t145 = k1 * t144, t158 = 0.5 * t144 - k1 * t148, t150 = t145 + 0.5 * t148, t159 = t155 + t158,
+      t176 = t158 - t155, t160 = -t159, t169 = SELECT(t122, t160, t168), t151 = t141 + t150, t177 = t141 - t150,
+      t152 = -t151, t175 = SELECT(t129, t152, t169) * t174,
+      t195 = SELECT(t129, t128, SELECT(t122, t186, SELECT(t115, t152, t176))),
+      t180 = SELECT(t129, t176, SELECT(t122, t177, t178)),
+      t190 = SELECT(t129, t186, SELECT(t122, t121, SELECT(t115, t160, t177))) * t174, t196 = t195 * t174,
+      t181 = t180 * t174, t199 = SQRT(t175 * t175 + t190 * t190 + t196 * t196),
+      t183 = SELECT(LESS(t181, 0.0), (-1.0), 1.0), t203 = 2.0 * atan2(t199, t181 * t183), t200 = LESS(t199,
           1.0e-08),
-      t209 = t185 * SELECT(t202, 2.0, t205 / SELECT(t202, 1.0, t201)), limb2_S_displacements_x = t177 * t209;
+      t207 = t183 * SELECT(t200, 2.0, t203 / SELECT(t200, 1.0, t199)), limb2_S_displacements_x = t175 * t207;
     WRITE(displacements, 8, limb2_S_displacements_x);
     REAL checked3 = limb2_S_displacements_x;
-    RESULT(checked0, displacements, 9, t192 * t209);
-    RESULT(checked1, displacements, 10, t198 * t209);
-    const REAL t212 = 0.5 * platform_turn_yx - t62; /* platform */
+    RESULT(checked0, displacements, 9, t190 * t207);
+    RESULT(checked1, displacements, 10, t196 * t207);
+    const REAL t210 = 0.5 * platform_turn_yx - t65; /* platform */
     /* limb3: geometry */
     const REAL limb3_U_0_sin = SINES(sine, 4), limb3_U_0_cos = SINES(cosine, 4);
     /* limb3: results; geometry */
-    const REAL t213 = limb3_U_0_sin * t212, t308 = limb3_U_0_cos * t212,
-      t215 = 0.5 * platform_turn_zx - t52, /* platform */
-      t217 = t213 - limb3_U_0_cos * t215, t310 = t308 + limb3_U_0_sin * t215, limb3_lower_cos = SINES(cosine, 5),
-      minus_limb3_lower_sin = SINES(sine, 5), t218 = limb3_lower_cos * t217, t224 = minus_limb3_lower_sin * t217,
-      t220 = 0.5 * platform_turn_xx - t56, /* platform */
-      t222 = t218 + minus_limb3_lower_sin * t220, t226 = t224 - limb3_lower_cos * t220, t223 = k1 * t222,
-      t255 = 0.5 * t222 - k1 * t226, t228 = t223 + 0.5 * t226, t256 = 0.5 * t255, t288 = k1 * t255,
-      t231 = k1 * platform_turn_yx + t83, /* platform */
-      t232 = limb3_U_0_sin * t231, t312 = limb3_U_0_cos * t231, t234 = k1 * platform_turn_zx + t73, /* platform */
-      t236 = t232 - limb3_U_0_cos * t234, t314 = t312 + limb3_U_0_sin * t234, t237 = limb3_lower_cos * t236,
-      t243 = minus_limb3_lower_sin * t236, t239 = k1 * platform_turn_xx + t77, /* platform */
-      t241 = t237 + minus_limb3_lower_sin * t239, t245 = t243 - limb3_lower_cos * t239, t242 = k1 * t241,
-      t259 = 0.5 * t241 - k1 * t245, t247 = t242 + 0.5 * t245, t261 = t256 + k1 * t259, t290 = t288 - 0.5 * t259,
-      t267 = t261 - (1.0 + 2.0 * t261), t297 = limb3_U_0_cos * platform_turn_zy,
-      t252 = limb3_U_0_cos * platform_turn_yy + limb3_U_0_sin * platform_turn_zy, t268 = t252 + t267,
-      t298 = limb3_U_0_sin * platform_turn_yy - t297, t291 = 0.5 * t228, t249 = k1 * t228 - 0.5 * t247,
-      t270 = -(t249 + t268), t293 = t291 + k1 * t247, t264 = t249 + (t252 + (1.0 + t261)), t271 = LESS(t264, t270),
-      t272 = SELECT(t271, t270, t264), t278 = -(t249 + (t252 + (t261 - (1.0 + 2.0 * t252)))), t279 = LESS(t272,
-          t278),
-      t280 = SELECT(t279, t278, t272), t286 = -(t249 + (t252 + (t261 - (1.0 + 2.0 * t249)))), t287 = LESS(t280,
-          t286),
-      t331 = 1.0 / (2.0 * SQRT(SELECT(t287, t286, t280))), t311 = 0.5 * t310, t320 = k1 * t310 - 0.5 * t314,
-      t316 = t311 + k1 * t314, t303 = minus_limb3_lower_sin * t298,
-      t301 = limb3_lower_cos * t298 + minus_limb3_lower_sin * platform_turn_xy,
-      t305 = t303 - limb3_lower_cos * platform_turn_xy, t302 = 0.5 * t301, t323 = k1 * t301 + 0.5 * t305,
-      t307 = t302 - k1 * t305, t324 = t320 - t323, t325 = SELECT(t271, t270, t324), t335 = SELECT(t271, t324, t264),
-      t343 = -(t323 + t320), t317 = t307 + t316, t333 = t316 - t307, t326 = SELECT(t279, t317, t325),
-      t294 = t290 + t293, t334 = t293 - t290, t295 = -t294, t332 = SELECT(t287, t295, t326) * t331,
-      t352 = SELECT(t287, t286, SELECT(t279, t343, SELECT(t271, t295, t333))),
-      t337 = SELECT(t287, t333, SELECT(t279, t334, t335)),
-      t347 = SELECT(t287, t343, SELECT(t279, t278, SELECT(t271, t317, t334))) * t331, t353 = t352 * t331,
-      t338 = t337 * t331, t356 = SQRT(t332 * t332 + t347 * t347 + t353 * t353),
-      t340 = SELECT(LESS(t338, 0.0), (-1.0), 1.0), t360 = 2.0 * atan2(t356, t338 * t340), t357 = LESS(t356,
+    const REAL t211 = limb3_U_0_sin * t210, t303 = limb3_U_0_cos * t210,
+      t213 = 0.5 * platform_turn_zx - t55, /* platform */
+      t215 = t211 - limb3_U_0_cos * t213, t305 = t303 + limb3_U_0_sin * t213, limb3_lower_cos = SINES(cosine, 5),
+      minus_limb3_lower_sin = SINES(sine, 5), t216 = limb3_lower_cos * t215, t222 = minus_limb3_lower_sin * t215,
+      t218 = 0.5 * platform_turn_xx - t59, /* platform */
+      t220 = t216 + minus_limb3_lower_sin * t218, t224 = t222 - limb3_lower_cos * t218, t221 = k1 * t220,
+      t253 = 0.5 * t220 - k1 * t224, t226 = t221 + 0.5 * t224, t254 = 0.5 * t253, t283 = k1 * t253,
+      t229 = k1 * platform_turn_yx + t86, /* platform */
+      t230 = limb3_U_0_sin * t229, t307 = limb3_U_0_cos * t229, t232 = k1 * platform_turn_zx + t76, /* platform */
+      t234 = t230 - limb3_U_0_cos * t232, t309 = t307 + limb3_U_0_sin * t232, t235 = limb3_lower_cos * t234,
+      t241 = minus_limb3_lower_sin * t234, t237 = k1 * platform_turn_xx + t80, /* platform */
+      t239 = t235 + minus_limb3_lower_sin * t237, t243 = t241 - limb3_lower_cos * t237, t240 = k1 * t239,
+      t257 = 0.5 * t239 - k1 * t243, t245 = t240 + 0.5 * t243, t259 = t254 + k1 * t257, t285 = t283 - 0.5 * t257,
+      t265 = 1.0 + 2.0 * t259 - t259, t292 = limb3_U_0_cos * platform_turn_zy,
+      t250 = limb3_U_0_cos * platform_turn_yy + limb3_U_0_sin * platform_turn_zy, t266 = t265 - t250,
+      t293 = limb3_U_0_sin * platform_turn_yy - t292, t286 = 0.5 * t226, t247 = k1 * t226 - 0.5 * t245,
+      t267 = t266 - t247, t288 = t286 + k1 * t245, t262 = t247 + (t250 + (1.0 + t259)), t268 = LESS(t262, t267),
+      t269 = SELECT(t268, t267, t262), t274 = 1.0 + 2.0 * t250 - t259 - t250 - t247, t275 = LESS(t269, t274),
+      t276 = SELECT(t275, t274, t269), t281 = 1.0 + 2.0 * t247 - t259 - t250 - t247, t282 = LESS(t276, t281),
+      t326 = 1.0 / (2.0 * SQRT(SELECT(t282, t281, t276))), t306 = 0.5 * t305, t315 = k1 * t305 - 0.5 * t309,
+      t311 = t306 + k1 * t309, t298 = minus_limb3_lower_sin * t293,
+      t296 = limb3_lower_cos * t293 + minus_limb3_lower_sin * platform_turn_xy,
+      t300 = t298 - limb3_lower_cos * platform_turn_xy, t297 = 0.5 * t296, t318 = k1 * t296 + 0.5 * t300,
+      t302 = t297 - k1 * t300, t319 = t315 - t318, t320 = SELECT(t268, t267, t319), t330 = SELECT(t268, t319, t262),
+      t338 = -(t318 + t315), t312 = t302 + t311, t328 = t311 - t302, t321 = SELECT(t275, t312, t320),
+      t289 = t285 + t288, t329 = t288 - t285, t290 = -t289, t327 = SELECT(t282, t290, t321) * t326,
+      t347 = SELECT(t282, t281, SELECT(t275, t338, SELECT(t268, t290, t328))),
+      t332 = SELECT(t282, t328, SELECT(t275, t329, t330)),
+      t342 = SELECT(t282, t338, SELECT(t275, t274, SELECT(t268, t312, t329))) * t326, t348 = t347 * t326,
+      t333 = t332 * t326, t351 = SQRT(t327 * t327 + t342 * t342 + t348 * t348),
+      t335 = SELECT(LESS(t333, 0.0), (-1.0), 1.0), t355 = 2.0 * atan2(t351, t333 * t335), t352 = LESS(t351,
           1.0e-08),
-      t364 = t340 * SELECT(t357, 2.0, t360 / SELECT(t357, 1.0, t356));
-    RESULT(checked2, displacements, 14, t332 * t364);
-    RESULT(checked3, displacements, 15, t347 * t364);
-    RESULT(checked0, displacements, 16, t353 * t364);
+      t359 = t335 * SELECT(t352, 2.0, t355 / SELECT(t352, 1.0, t351));
+    RESULT(checked2, displacements, 14, t327 * t359);
+    RESULT(checked3, displacements, 15, t342 * t359);
+    RESULT(checked0, displacements, 16, t348 * t359);
     /* limb4: geometry */
     const REAL limb4_U_0_sin = SINES(cosine, 6), minus_limb4_U_0_cos = SINES(sine, 6);
     /* limb4: results; geometry */
-    const REAL t437 = minus_limb4_U_0_cos * t366, t370 = limb4_U_0_sin * t366 + minus_limb4_U_0_cos * t368,
-      t439 = t437 - limb4_U_0_sin * t368, limb4_lower_cos = SINES(cosine, 7), minus_limb4_lower_sin = SINES(sine,
+    const REAL t429 = minus_limb4_U_0_cos * t361, t365 = limb4_U_0_sin * t361 + minus_limb4_U_0_cos * t363,
+      t431 = t429 - limb4_U_0_sin * t363, limb4_lower_cos = SINES(cosine, 7), minus_limb4_lower_sin = SINES(sine,
           7),
-      t376 = minus_limb4_lower_sin * t370, t374 = limb4_lower_cos * t370 + minus_limb4_lower_sin * t372,
-      t378 = t376 - limb4_lower_cos * t372, t375 = k1 * t374, t401 = 0.5 * t374 + k1 * t378, t380 = t375 - 0.5 *
-          t378,
-      t402 = 0.5 * t401, t466 = k1 * t401, t441 = minus_limb4_U_0_cos * t382,
-      t386 = limb4_U_0_sin * t382 + minus_limb4_U_0_cos * t384, t443 = t441 - limb4_U_0_sin * t384,
-      t392 = minus_limb4_lower_sin * t386, t390 = limb4_lower_cos * t386 + minus_limb4_lower_sin * t388,
-      t394 = t392 - limb4_lower_cos * t388, t391 = k1 * t390, t405 = 0.5 * t390 + k1 * t394, t396 = t391 - 0.5 *
-          t394,
-      t407 = t402 + k1 * t405, t468 = t466 - 0.5 * t405, t423 = 1.0 + 2.0 * t407,
-      t446 = limb4_U_0_sin * platform_turn_zx,
-      t410 = minus_limb4_U_0_cos * platform_turn_zx - limb4_U_0_sin * platform_turn_xx, t425 = t407 - (t410 + t423),
-      t448 = t446 + minus_limb4_U_0_cos * platform_turn_xx, t469 = 0.5 * t380, t398 = k1 * t380 - 0.5 * t396,
-      t427 = -(t398 + t425), t471 = t469 + k1 * t396, t419 = -(t398 + (t407 - (t410 + (1.0 - 2.0 * t410)))),
-      t413 = t398 + (t407 + (1.0 - t410)), t420 = LESS(t413, t419), t421 = SELECT(t420, t419, t413),
-      t428 = LESS(t421, t427), t429 = SELECT(t428, t427, t421), t435 = -(t398 + (t407 - (t410 + (1.0 + 2.0 *
-          t398)))),
-      t436 = LESS(t429, t435), t479 = 1.0 / (2.0 * SQRT(SELECT(t436, t435, t429))), t472 = t468 - t471,
-      t473 = SELECT(t420, t419, t472), t483 = SELECT(t420, t472, t413), t491 = -(t468 + t471),
-      t453 = minus_limb4_lower_sin * t448, t451 = limb4_lower_cos * t448 + minus_limb4_lower_sin * platform_turn_yx,
-      t455 = t453 - limb4_lower_cos * platform_turn_yx, t452 = k1 * t451, t461 = 0.5 * t451 + k1 * t455,
-      t457 = t452 - 0.5 * t455, t440 = k1 * t439, t464 = 0.5 * t439 + k1 * t443, t445 = t440 - 0.5 * t443,
-      t465 = t461 - t464, t481 = t461 + t464, t474 = SELECT(t428, t465, t473), t458 = t445 - t457, t482 = t457 +
-          t445,
-      t480 = SELECT(t436, t458, t474) * t479, t500 = SELECT(t436, t435, SELECT(t428, t491, SELECT(t420, t458,
-          t481))),
-      t485 = SELECT(t436, t481, SELECT(t428, t482, t483)),
-      t495 = SELECT(t436, t491, SELECT(t428, t427, SELECT(t420, t465, t482))) * t479, t501 = t500 * t479,
-      t486 = t485 * t479, t504 = SQRT(t480 * t480 + t495 * t495 + t501 * t501),
-      t488 = SELECT(LESS(t486, 0.0), (-1.0), 1.0), t508 = 2.0 * atan2(t504, t486 * t488), t505 = LESS(t504,
+      t371 = minus_limb4_lower_sin * t365, t369 = limb4_lower_cos * t365 + minus_limb4_lower_sin * t367,
+      t373 = t371 - limb4_lower_cos * t367, t370 = k1 * t369, t396 = 0.5 * t369 + k1 * t373, t375 = t370 - 0.5 *
+          t373,
+      t397 = 0.5 * t396, t458 = k1 * t396, t433 = minus_limb4_U_0_cos * t377,
+      t381 = limb4_U_0_sin * t377 + minus_limb4_U_0_cos * t379, t435 = t433 - limb4_U_0_sin * t379,
+      t387 = minus_limb4_lower_sin * t381, t385 = limb4_lower_cos * t381 + minus_limb4_lower_sin * t383,
+      t389 = t387 - limb4_lower_cos * t383, t386 = k1 * t385, t400 = 0.5 * t385 + k1 * t389, t391 = t386 - 0.5 *
+          t389,
+      t402 = t397 + k1 * t400, t460 = t458 - 0.5 * t400, t417 = 1.0 + 2.0 * t402,
+      t438 = limb4_U_0_sin * platform_turn_zx,
+      t405 = minus_limb4_U_0_cos * platform_turn_zx - limb4_U_0_sin * platform_turn_xx, t419 = t405 + t417 - t402,
+      t440 = t438 + minus_limb4_U_0_cos * platform_turn_xx, t461 = 0.5 * t375, t393 = k1 * t375 - 0.5 * t391,
+      t420 = t419 - t393, t463 = t461 + k1 * t391, t408 = t393 + (t402 + (1.0 - t405)),
+      t413 = t405 + (1.0 - 2.0 * t405) - t402 - t393, t414 = LESS(t408, t413), t415 = SELECT(t414, t413, t408),
+      t421 = LESS(t415, t420), t422 = SELECT(t421, t420, t415), t427 = t405 + (1.0 + 2.0 * t393) - t402 - t393,
+      t428 = LESS(t422, t427), t471 = 1.0 / (2.0 * SQRT(SELECT(t428, t427, t422))), t464 = t460 - t463,
+      t465 = SELECT(t414, t413, t464), t475 = SELECT(t414, t464, t408), t483 = -(t460 + t463),
+      t445 = minus_limb4_lower_sin * t440, t443 = limb4_lower_cos * t440 + minus_limb4_lower_sin * platform_turn_yx,
+      t447 = t445 - limb4_lower_cos * platform_turn_yx, t444 = k1 * t443, t453 = 0.5 * t443 + k1 * t447,
+      t449 = t444 - 0.5 * t447, t432 = k1 * t431, t456 = 0.5 * t431 + k1 * t435, t437 = t432 - 0.5 * t435,
+      t457 = t453 - t456, t473 = t453 + t456, t466 = SELECT(t421, t457, t465), t450 = t437 - t449, t474 = t449 +
+          t437,
+      t472 = SELECT(t428, t450, t466) * t471, t492 = SELECT(t428, t427, SELECT(t421, t483, SELECT(t414, t450,
+          t473))),
+      t477 = SELECT(t428, t473, SELECT(t421, t474, t475)),
+      t487 = SELECT(t428, t483, SELECT(t421, t420, SELECT(t414, t457, t474))) * t471, t493 = t492 * t471,
+      t478 = t477 * t471, t496 = SQRT(t472 * t472 + t487 * t487 + t493 * t493),
+      t480 = SELECT(LESS(t478, 0.0), (-1.0), 1.0), t500 = 2.0 * atan2(t496, t478 * t480), t497 = LESS(t496,
           1.0e-08),
-      t512 = t488 * SELECT(t505, 2.0, t508 / SELECT(t505, 1.0, t504));
-    RESULT(checked1, displacements, 20, t480 * t512);
-    RESULT(checked2, displacements, 21, t495 * t512);
-    RESULT(checked3, displacements, 22, t501 * t512);
-    const REAL t514 = SELECT(LESS(limb5_S_q_qw, 0.0), (-1.0), 1.0), /* limb5_S */
-      t520 = 2.0 * atan2(t516, limb5_S_q_qw * t514), /* limb5_S */
-      t517 = LESS(t516, 1.0e-08), /* limb5_S */
-      t524 = t514 * SELECT(t517, 2.0, t520 / SELECT(t517, 1.0, t516)); /* limb5_S */
-    RESULT(checked0, displacements, 23, limb5_S_q_qx * t524);
-    RESULT(checked1, displacements, 24, limb5_S_q_qy * t524);
-    RESULT(checked2, displacements, 25, limb5_S_q_qz * t524);
+      t504 = t480 * SELECT(t497, 2.0, t500 / SELECT(t497, 1.0, t496));
+    RESULT(checked1, displacements, 20, t472 * t504);
+    RESULT(checked2, displacements, 21, t487 * t504);
+    RESULT(checked3, displacements, 22, t493 * t504);
+    const REAL t506 = SELECT(LESS(limb5_S_q_qw, 0.0), (-1.0), 1.0), /* limb5_S */
+      t512 = 2.0 * atan2(t508, limb5_S_q_qw * t506), /* limb5_S */
+      t509 = LESS(t508, 1.0e-08), /* limb5_S */
+      t516 = t506 * SELECT(t509, 2.0, t512 / SELECT(t509, 1.0, t508)); /* limb5_S */
+    RESULT(checked0, displacements, 23, limb5_S_q_qx * t516);
+    RESULT(checked1, displacements, 24, limb5_S_q_qy * t516);
+    RESULT(checked2, displacements, 25, limb5_S_q_qz * t516);
     const REAL limb1_U_q_0 = READ(q, 0);
     WRITE(displacements, 0, limb1_U_q_0);
     checked3 = checked3 + limb1_U_q_0;

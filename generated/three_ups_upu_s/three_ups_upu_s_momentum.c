@@ -6,9 +6,9 @@
 #include "three_ups_upu_s_support.h"
 
 typedef struct {
-    EACH4 lower_momentum_px, lower_momentum_py, lower_momentum_pz, lower_momentum_Lx, lower_momentum_Ly,
-      signed_lower_momentum_Lz, signed_upper_momentum_px, upper_momentum_py, signed_upper_momentum_pz,
-      upper_momentum_Lx, upper_momentum_Ly, signed_upper_momentum_Lz;
+    EACH4 signed_lower_momentum_px, lower_momentum_py, signed_lower_momentum_pz, lower_momentum_Lx,
+      signed_lower_momentum_Ly, signed_lower_momentum_Lz, signed_upper_momentum_px, upper_momentum_py,
+      signed_upper_momentum_pz, upper_momentum_Lx, signed_upper_momentum_Ly, signed_upper_momentum_Lz;
 } LIMBS(momentum_screws);
 
 STAGE(momentum_screws, 0)(size_t limb, size_t stride, const double *restrict q, const double *restrict v,
@@ -16,83 +16,74 @@ STAGE(momentum_screws, 0)(size_t limb, size_t stride, const double *restrict q, 
     REAL signed_U_1_screw_vy, REAL signed_U_1_screw_vz, LIMBS(momentum_screws) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, 1.0, -1.0), each_k1 = -sign2 * k1,
-      factor_2 = sign2 * 0.5, factor_3 = -sign2 * 0.5, each_limb_lower_m = sign1 * limb_lower_m,
-      each_limb_lower_m_2 = -sign2 * limb_lower_m, sign3 = OF4(1.0, -1.0, -1.0, 1.0);
-    const LIMB4 U_0_cos = IN_EACH4(SINES, cosine, 0, 2), lower_cos = IN_EACH4(SINES, cosine, 1, 2);
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, 1.0, -1.0), factor_2 = sign2 * 0.5,
+      each_k1 = -sign2 * k1, factor_3 = -sign2 * 0.5, sign3 = OF4(1.0, -1.0, -1.0, 1.0);
+    const LIMB4 signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2), lower_cos = IN_EACH4(SINES, cosine, 1, 2);
     /* each limb: geometry */
-    const LIMB4 signed_lower_rotation_zx = U_0_cos * lower_cos, signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
+    const LIMB4 minus_lower_rotation_yx = signed_U_0_sin * lower_cos, signed_lower_sin = IN_EACH4(SINES, sine, 1,
+        2);
     /* each limb: momentum, eq. (31); geometry; velocities, eq. (6) */
-    const LIMB4 t1 = 0.5 * signed_lower_rotation_zx, signed_lower_rotation_zy = U_0_cos * signed_lower_sin,
-      t3 = t1 + each_k1 * signed_lower_rotation_zy, t125 = 0.5 * t3,
-      t8 = k1 * signed_lower_rotation_zx + factor_2 * signed_lower_rotation_zy, t127 = t125 - param_H * t8,
-      upper_offset_x = IN_EACH4(READ, q, 2, 3) + limb_upper_phase, P_v = IN_EACH4(READ, v, 2, 3),
-      t128 = upper_offset_x * signed_lower_rotation_zx + t127, t158 = P_v * signed_lower_rotation_zx,
-      t132 = t128 - (limb_upper_com_x * t3 - limb_upper_com_z * t8), U_v_0 = IN_EACH4(READ, v, 0, 3),
-      t155 = U_v_0 * t132, t28 = 0.5 * signed_lower_sin - each_k1 * lower_cos, t146 = 0.5 * t28,
-      t34 = k1 * signed_lower_sin + factor_3 * lower_cos,
-      t149 = signed_lower_sin * upper_offset_x + (-param_R) + (t146 - param_H * t34),
-      t153 = t149 - (limb_upper_com_x * t28 - limb_upper_com_z * t34), t172 = sign1 * IN_EACH4(READ, v, 1, 3),
-      signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2), signed_lower_twist_wz = t172 * signed_U_0_sin,
-      t156 = signed_lower_twist_wz * t153 - t155, lower_twist_vy = t172 * signed_U_1_screw_vy,
-      minus_lower_rotation_yx = signed_U_0_sin * lower_cos,
-      minus_upper_position_y = upper_offset_x * minus_lower_rotation_yx;
-    OWN(upper_momentum_py) = limb_lower_m * (lower_twist_vy - P_v * minus_lower_rotation_yx + t156);
-    WRITE4(momenta, 13, 24, 37, 48, OWN(upper_momentum_py));
-    const LIMB4 t169 = t153 * OWN(upper_momentum_py), t164 = t132 * OWN(upper_momentum_py),
-      signed_lower_twist_wy = t172 * U_0_cos, signed_lower_twist_vz = t172 * signed_U_1_screw_vz,
-      signed_upper_twist_vz = signed_lower_twist_vz - t158, t133 = signed_lower_twist_wy * t132,
-      t13 = 0.5 * minus_lower_rotation_yx, t18 = k1 * minus_lower_rotation_yx,
-      signed_lower_rotation_yy = signed_U_0_sin * signed_lower_sin, t15 = t13 + each_k1 * signed_lower_rotation_yy,
-      t20 = t18 - factor_3 * signed_lower_rotation_yy, t137 = minus_upper_position_y + (0.5 * t15 - param_H * t20),
-      t141 = t137 - (limb_upper_com_x * t15 - limb_upper_com_z * t20);
-    OWN(signed_upper_momentum_px) = limb_lower_m * (P_v * signed_lower_sin + (t133 + signed_lower_twist_wz * t141));
-    WRITE4(momenta, 12, 25, 36, 49, sign1 * OWN(signed_upper_momentum_px));
-    const LIMB4 t171 = t169 + t141 * OWN(signed_upper_momentum_px),
-      t178 = sign1 * (t132 * OWN(signed_upper_momentum_px)), t102 = limb_lower_Ixx * t3 - limb_lower_Ixz * t8,
-      t110 = t15 * t102, t111 = limb_lower_Iyy * signed_U_0_sin, t113 = t110 - U_0_cos * t111,
-      t119 = signed_U_0_sin * t111, t106 = limb_lower_Ixz * t3 - limb_lower_Izz * t8,
-      t116 = signed_lower_twist_wy * (t113 - t20 * t106), t117 = U_v_0 * (t28 * t102 - t34 * t106) - t116,
-      t124 = t117 + signed_lower_twist_wz * (t3 * t102 + t119 - t8 * t106);
-    OWN(signed_upper_momentum_Lz) = t124 + t171;
-    WRITE4(momenta, 17, 29, 41, 53, sign3 * OWN(signed_upper_momentum_Lz));
-    OWN(signed_upper_momentum_pz) = each_limb_lower_m * (signed_upper_twist_vz + (U_v_0 * t141 +
-        signed_lower_twist_wy * t153));
-    WRITE4(momenta, 14, 26, 38, 50, -sign3 * OWN(signed_upper_momentum_pz));
-    const LIMB4 t168 = t178 + t153 * OWN(signed_upper_momentum_pz),
-      t165 = t164 - sign1 * (t141 * OWN(signed_upper_momentum_pz)), t74 = limb_lower_Ixx * t15 - limb_lower_Ixz *
-          t20,
-      t82 = t15 * t74, t83 = limb_lower_Iyy * U_0_cos, t85 = t82 + U_0_cos * t83, t91 = signed_U_0_sin * t83,
-      t78 = limb_lower_Ixz * t15 - limb_lower_Izz * t20, t88 = signed_lower_twist_wy * (t85 - t20 * t78),
-      t89 = U_v_0 * (t28 * t74 - t34 * t78) - t88, t96 = t89 + signed_lower_twist_wz * (t3 * t74 - t91 - t8 * t78),
-      t175 = sign1 * t96;
-    OWN(upper_momentum_Ly) = t168 - t175;
-    WRITE4(momenta, 16, 27, 40, 51, OWN(upper_momentum_Ly));
-    const LIMB4 t55 = limb_lower_Izz * t34 - limb_lower_Ixz * t28, t56 = t34 * t55, t35 = limb_lower_com_z * t34,
-      t51 = limb_lower_Ixz * t34 - limb_lower_Ixx * t28, t58 = U_v_0 * (t56 - t28 * t51),
-      t63 = t58 + signed_lower_twist_wy * (t15 * t51 - t20 * t55),
-      t68 = t63 + signed_lower_twist_wz * (t8 * t55 - t3 * t51);
-    OWN(upper_momentum_Lx) = t68 - t165;
-    WRITE4(momenta, 15, 28, 39, 52, OWN(upper_momentum_Lx));
-    const LIMB4 t21 = limb_lower_com_z * t20, t11 = param_R * t3 + (limb_lower_com_z * t8 - limb_lower_com_x * t3),
-      t39 = U_v_0 * t11, t37 = param_R * t28 + (-param_R) - (limb_lower_com_x * t28 - t35);
-    OWN(lower_momentum_py) = limb_lower_m * (lower_twist_vy + (signed_lower_twist_wz * t37 - t39));
+    const LIMB4 t11 = k1 * minus_lower_rotation_yx, signed_lower_rotation_yy = signed_U_0_sin * signed_lower_sin,
+      t13 = t11 - factor_3 * signed_lower_rotation_yy, t14 = limb_lower_com_z * t13,
+      t17 = 0.5 * minus_lower_rotation_yx + each_k1 * signed_lower_rotation_yy, t19 = t14 + k3 * t17,
+      U_v_0 = IN_EACH4(READ, v, 0, 3), t36 = U_v_0 * t19, t28 = 0.5 * signed_lower_sin - each_k1 * lower_cos,
+      t29 = k3 * t28, t30 = t29 + (-param_R), t24 = k1 * signed_lower_sin + factor_3 * lower_cos,
+      t25 = limb_lower_com_z * t24, t31 = t25 + t30, t126 = t25 + t29, t146 = sign1 * IN_EACH4(READ, v, 1, 3),
+      U_0_cos = IN_EACH4(SINES, cosine, 0, 2), signed_lower_twist_wy = t146 * U_0_cos,
+      t38 = t36 + signed_lower_twist_wy * t31, signed_lower_twist_vz = t146 * signed_U_1_screw_vz;
+    OWN(signed_lower_momentum_pz) = limb_lower_m * (signed_lower_twist_vz + t38);
+    WRITE4(momenta, 8, 20, 32, 44, -sign2 * OWN(signed_lower_momentum_pz));
+    const LIMB4 t60 = t19 * OWN(signed_lower_momentum_pz), t89 = t31 * OWN(signed_lower_momentum_pz),
+      signed_lower_twist_wz = t146 * signed_U_0_sin, lower_twist_vy = t146 * signed_U_1_screw_vy,
+      t32 = signed_lower_twist_wz * t31, signed_lower_rotation_zx = U_0_cos * lower_cos,
+      t1 = k1 * signed_lower_rotation_zx, signed_lower_rotation_zy = U_0_cos * signed_lower_sin,
+      t3 = t1 + factor_2 * signed_lower_rotation_zy, t4 = limb_lower_com_z * t3,
+      t7 = 0.5 * signed_lower_rotation_zx + each_k1 * signed_lower_rotation_zy, t9 = t4 + k3 * t7;
+    OWN(lower_momentum_py) = limb_lower_m * (lower_twist_vy + (t32 - U_v_0 * t9));
     WRITE4(momenta, 7, 18, 31, 42, OWN(lower_momentum_py));
-    const LIMB4 t97 = t37 * OWN(lower_momentum_py), t47 = t11 * OWN(lower_momentum_py),
-      t12 = signed_lower_twist_wy * t11, t43 = signed_lower_twist_wy * t37,
-      t23 = param_R * t15 - (limb_lower_com_x * t15 - t21);
-    OWN(lower_momentum_px) = each_limb_lower_m * (t12 + signed_lower_twist_wz * t23);
-    WRITE4(momenta, 6, 19, 30, 43, OWN(lower_momentum_px));
-    const LIMB4 t69 = t11 * OWN(lower_momentum_px);
-    OWN(signed_lower_momentum_Lz) = t97 + sign1 * (t23 * OWN(lower_momentum_px)) + t124;
-    WRITE4(momenta, 11, 23, 35, 47, sign3 * OWN(signed_lower_momentum_Lz));
-    OWN(lower_momentum_pz) = each_limb_lower_m_2 * (signed_lower_twist_vz + (U_v_0 * t23 + t43));
-    WRITE4(momenta, 8, 20, 32, 44, OWN(lower_momentum_pz));
-    const LIMB4 t46 = t23 * OWN(lower_momentum_pz);
-    OWN(lower_momentum_Ly) = t69 - sign3 * (t37 * OWN(lower_momentum_pz)) - t175;
-    WRITE4(momenta, 10, 21, 34, 45, OWN(lower_momentum_Ly));
-    OWN(lower_momentum_Lx) = t68 - (sign2 * t46 + t47);
+    const LIMB4 t116 = t31 * OWN(lower_momentum_py), t62 = t60 - t9 * OWN(lower_momentum_py),
+      t46 = limb_lower_Izz * t24 - limb_lower_Ixz * t28, t47 = t24 * t46,
+      t42 = limb_lower_Ixz * t24 - limb_lower_Ixx * t28, t49 = U_v_0 * (t47 - t28 * t42),
+      t54 = t49 + signed_lower_twist_wy * (t17 * t42 - t13 * t46),
+      t59 = t54 + signed_lower_twist_wz * (t3 * t46 - t7 * t42);
+    OWN(lower_momentum_Lx) = t59 + t62;
     WRITE4(momenta, 9, 22, 33, 46, OWN(lower_momentum_Lx));
+    const LIMB4 t65 = limb_lower_Ixx * t17 - limb_lower_Ixz * t13, t73 = t17 * t65, t74 = limb_lower_Iyy * U_0_cos,
+      t76 = t73 + U_0_cos * t74, t82 = signed_U_0_sin * t74, t69 = limb_lower_Ixz * t17 - limb_lower_Izz * t13,
+      t79 = signed_lower_twist_wy * (t76 - t13 * t69), t80 = U_v_0 * (t28 * t65 - t24 * t69) - t79,
+      t87 = t80 + signed_lower_twist_wz * (t7 * t65 - t82 - t3 * t69);
+    OWN(signed_lower_momentum_px) = limb_lower_m * (signed_lower_twist_wy * t9 + signed_lower_twist_wz * t19);
+    WRITE4(momenta, 6, 19, 30, 43, sign1 * OWN(signed_lower_momentum_px));
+    OWN(signed_lower_momentum_Ly) = t87 - (t9 * OWN(signed_lower_momentum_px) + t89);
+    WRITE4(momenta, 10, 21, 34, 45, -sign1 * OWN(signed_lower_momentum_Ly));
+    const LIMB4 t118 = t116 + t19 * OWN(signed_lower_momentum_px), t93 = limb_lower_Ixx * t7 - limb_lower_Ixz * t3,
+      t101 = t17 * t93, t94 = t28 * t93, t109 = t7 * t93, t95 = limb_lower_Ixz * t7,
+      t102 = limb_lower_Iyy * signed_U_0_sin, t104 = t101 - U_0_cos * t102, t111 = t109 + signed_U_0_sin * t102,
+      t97 = t95 - limb_lower_Izz * t3, t107 = signed_lower_twist_wy * (t104 - t13 * t97),
+      t108 = U_v_0 * (t94 - t24 * t97) - t107, t115 = t108 + signed_lower_twist_wz * (t111 - t3 * t97);
+    OWN(signed_lower_momentum_Lz) = t115 + t118;
+    WRITE4(momenta, 11, 23, 35, 47, sign3 * OWN(signed_lower_momentum_Lz));
+    const LIMB4 upper_offset_x = IN_EACH4(READ, q, 2, 3) + limb_upper_phase,
+      t121 = upper_offset_x * minus_lower_rotation_yx - t19, P_v = IN_EACH4(READ, v, 2, 3),
+      minus_upper_twist_vy = P_v * minus_lower_rotation_yx - lower_twist_vy, t133 = U_v_0 * t121,
+      t127 = signed_lower_sin * upper_offset_x + (-param_R) - t126,
+      t119 = t9 - upper_offset_x * signed_lower_rotation_zx,
+      t136 = signed_lower_twist_vz - P_v * signed_lower_rotation_zx + (t133 + signed_lower_twist_wy * t127);
+    OWN(signed_upper_momentum_pz) = limb_lower_m * t136;
+    WRITE4(momenta, 14, 26, 38, 50, -sign2 * OWN(signed_upper_momentum_pz));
+    const LIMB4 t120 = signed_lower_twist_wy * t119, t137 = t121 * OWN(signed_upper_momentum_pz),
+      t141 = t127 * OWN(signed_upper_momentum_pz);
+    OWN(upper_momentum_py) = limb_lower_m * (signed_lower_twist_wz * t127 + U_v_0 * t119 - minus_upper_twist_vy);
+    WRITE4(momenta, 13, 24, 37, 48, OWN(upper_momentum_py));
+    const LIMB4 t123 = t120 - signed_lower_twist_wz * t121, t143 = t127 * OWN(upper_momentum_py);
+    OWN(upper_momentum_Lx) = t59 + (t137 + t119 * OWN(upper_momentum_py));
+    WRITE4(momenta, 15, 28, 39, 52, OWN(upper_momentum_Lx));
+    OWN(signed_upper_momentum_px) = limb_lower_m * (P_v * signed_lower_sin - t123);
+    WRITE4(momenta, 12, 25, 36, 49, sign1 * OWN(signed_upper_momentum_px));
+    OWN(signed_upper_momentum_Ly) = t87 + (t119 * OWN(signed_upper_momentum_px) - t141);
+    WRITE4(momenta, 16, 27, 40, 51, -sign1 * OWN(signed_upper_momentum_Ly));
+    OWN(signed_upper_momentum_Lz) = t115 + (t143 + t121 * OWN(signed_upper_momentum_px));
+    WRITE4(momenta, 17, 29, 41, 53, sign3 * OWN(signed_upper_momentum_Lz));
 }
 
 BODY(three_ups_upu_s_momentum_screws)(size_t stride, const double *restrict q, const double *restrict v,
@@ -135,7 +126,7 @@ BODY(three_ups_upu_s_momentum_screws)(size_t stride, const double *restrict q, c
     FIRST_LIMB(0, momentum_screws, 0, stride, q, v, momenta, sine, cosine, param_R * limb1_U_0_sin, param_R *
         limb1_U_0_cos, &limbs);
     const REAL minus_limb2_U_0_cos = SINES(sine, 2), limb2_U_0_sin = SINES(cosine, 2),
-      t162 = platform_momentum_Lz + limbs.signed_lower_momentum_Lz[0] + limbs.signed_upper_momentum_Lz[0];
+      t162 = limbs.signed_upper_momentum_Lz[0] + (platform_momentum_Lz + limbs.signed_lower_momentum_Lz[0]);
     NEXT_LIMB(1, momentum_screws, 0, stride, q, v, momenta, sine, cosine, param_R * minus_limb2_U_0_cos, param_R *
         limb2_U_0_sin, &limbs);
     const REAL limb3_U_0_sin = SINES(sine, 4), limb3_U_0_cos = SINES(cosine, 4);
@@ -151,26 +142,26 @@ BODY(three_ups_upu_s_momentum_screws)(size_t stride, const double *restrict q, c
     WRITE(total_, 5, Lz_total);
     REAL checked0 = Lz_total;
     const REAL t74 = t12 * platform_momentum_px, t49 = t12 * platform_momentum_py,
-      t135 = platform_momentum_py + limbs.lower_momentum_py[0] + limbs.upper_momentum_py[0] +
-          limbs.lower_momentum_px[1],
-      t138 = t135 + limbs.signed_upper_momentum_px[1] + limbs.lower_momentum_py[2] + limbs.upper_momentum_py[2],
-      py_total = t138 + limbs.lower_momentum_px[3] - limbs.signed_upper_momentum_px[3];
+      t135 = limbs.signed_lower_momentum_px[1] + (limbs.upper_momentum_py[0] + (platform_momentum_py +
+          limbs.lower_momentum_py[0])),
+      t138 = limbs.upper_momentum_py[2] + (limbs.lower_momentum_py[2] + (limbs.signed_upper_momentum_px[1] + t135)),
+      py_total = t138 - limbs.signed_lower_momentum_px[3] - limbs.signed_upper_momentum_px[3];
     WRITE(total_, 1, py_total);
     REAL checked1 = py_total;
-    const REAL t128 = platform_momentum_px + limbs.lower_momentum_px[0] + limbs.signed_upper_momentum_px[0] +
-        limbs.lower_momentum_py[1],
-      t131 = t128 + limbs.upper_momentum_py[1] + limbs.lower_momentum_px[2] - limbs.signed_upper_momentum_px[2],
-      px_total = t131 + limbs.lower_momentum_py[3] + limbs.upper_momentum_py[3];
+    const REAL t127 = limbs.signed_upper_momentum_px[0] + (platform_momentum_px +
+        limbs.signed_lower_momentum_px[0]),
+      t130 = limbs.upper_momentum_py[1] + (limbs.lower_momentum_py[1] + t127) - limbs.signed_lower_momentum_px[2],
+      px_total = t130 - limbs.signed_upper_momentum_px[2] + limbs.lower_momentum_py[3] + limbs.upper_momentum_py[3];
     WRITE(total_, 0, px_total);
     REAL checked2 = px_total;
     const REAL platform_momentum_pz = platform_m * (t27 * platform_twist_wx - t36 * platform_twist_wy);
     WRITE(momenta, 2, platform_momentum_pz);
     const REAL t76 = t74 - t36 * platform_momentum_pz, t50 = t27 * platform_momentum_pz - t49,
-      t142 = platform_momentum_pz + limbs.lower_momentum_pz[0] - limbs.signed_upper_momentum_pz[0] +
-          limbs.lower_momentum_pz[1],
-      t145 = t142 + limbs.signed_upper_momentum_pz[1] + limbs.lower_momentum_pz[2] +
-          limbs.signed_upper_momentum_pz[2],
-      pz_total = t145 + limbs.lower_momentum_pz[3] - limbs.signed_upper_momentum_pz[3];
+      t141 = limbs.signed_upper_momentum_pz[0] - (platform_momentum_pz - limbs.signed_lower_momentum_pz[0]),
+      t144 = limbs.signed_upper_momentum_pz[1] + (limbs.signed_lower_momentum_pz[1] - t141) -
+          limbs.signed_lower_momentum_pz[2],
+      pz_total = t144 - limbs.signed_upper_momentum_pz[2] + limbs.signed_lower_momentum_pz[3] +
+          limbs.signed_upper_momentum_pz[3];
     WRITE(total_, 2, pz_total);
     REAL checked3 = pz_total;
     /* platform: momentum, eq. (31); results */
@@ -181,11 +172,11 @@ BODY(three_ups_upu_s_momentum_screws)(size_t stride, const double *restrict q, c
       t91 = platform_twist_wy * (platform_turn_yx * t77 + platform_turn_yy * t79 + platform_turn_yz * t82),
       platform_momentum_Ly = t76 + (t85 + t91 + platform_twist_wz * (t95 + platform_turn_zz * t82));
     WRITE(momenta, 4, platform_momentum_Ly);
-    const REAL t156 = platform_momentum_Ly + limbs.lower_momentum_Ly[0] + limbs.upper_momentum_Ly[0] +
-        limbs.lower_momentum_Lx[1],
-      t160 = t156 + limbs.upper_momentum_Lx[1] + limbs.lower_momentum_Ly[2] + limbs.upper_momentum_Ly[2] +
-          limbs.lower_momentum_Lx[3];
-    RESULT(checked0, total_, 4, t160 + limbs.upper_momentum_Lx[3]);
+    const REAL t155 = limbs.signed_upper_momentum_Ly[0] - (platform_momentum_Ly -
+        limbs.signed_lower_momentum_Ly[0]),
+      t158 = limbs.signed_lower_momentum_Ly[2] - (t155 - limbs.lower_momentum_Lx[1] - limbs.upper_momentum_Lx[1]);
+    RESULT(checked0, total_, 4, limbs.upper_momentum_Lx[3] + (limbs.lower_momentum_Lx[3] +
+        (limbs.signed_upper_momentum_Ly[2] + t158)));
     const REAL t53 = platform_Ixx * platform_turn_xy, t54 = platform_turn_xy * t53, t61 = platform_turn_yy * t53,
       t68 = platform_turn_zy * t53, t51 = platform_Ixx * platform_turn_xx, t55 = platform_turn_xx * t51 + t54,
       t62 = platform_turn_yx * t51 + t61, t69 = platform_turn_zx * t51 + t68, t56 = platform_Izz * platform_turn_xz,
@@ -193,11 +184,10 @@ BODY(three_ups_upu_s_momentum_screws)(size_t stride, const double *restrict q, c
       t66 = t59 + platform_twist_wy * (t62 + platform_turn_yz * t56),
       platform_momentum_Lx = t50 + (t66 + platform_twist_wz * (t69 + platform_turn_zz * t56));
     WRITE(momenta, 3, platform_momentum_Lx);
-    const REAL t149 = platform_momentum_Lx + limbs.lower_momentum_Lx[0] + limbs.upper_momentum_Lx[0] +
-        limbs.lower_momentum_Ly[1],
-      t153 = t149 + limbs.upper_momentum_Ly[1] + limbs.lower_momentum_Lx[2] + limbs.upper_momentum_Lx[2] +
-          limbs.lower_momentum_Ly[3];
-    RESULT(checked1, total_, 3, t153 + limbs.upper_momentum_Ly[3]);
+    const REAL t149 = limbs.upper_momentum_Lx[0] + (platform_momentum_Lx + limbs.lower_momentum_Lx[0]) -
+        limbs.signed_lower_momentum_Ly[1],
+      t152 = limbs.upper_momentum_Lx[2] + (limbs.lower_momentum_Lx[2] + (t149 - limbs.signed_upper_momentum_Ly[1]));
+    RESULT(checked1, total_, 3, limbs.signed_upper_momentum_Ly[3] + (limbs.signed_lower_momentum_Ly[3] + t152));
     /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
@@ -214,145 +204,143 @@ STAGE(momentum_rates, 0)(size_t limb, size_t stride, const double *restrict q, c
     LIMBS(momentum_rates) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, 1.0, -1.0), each_k1 = -sign2 * k1,
-      factor_2 = -sign2 * 0.5, sign3 = OF4(1.0, -1.0, -1.0, 1.0);
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, 1.0, -1.0), factor_2 = -sign2 * 0.5,
+      each_k1 = -sign2 * k1, each_k1_2 = sign2 * k1, sign3 = OF4(1.0, -1.0, -1.0, 1.0);
     const LIMB4 signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2), lower_cos = IN_EACH4(SINES, cosine, 1, 2);
     /* each limb: geometry; momentum rate, eq. (35) */
     const LIMB4 minus_lower_rotation_yx = signed_U_0_sin * lower_cos, signed_lower_sin = IN_EACH4(SINES, sine, 1,
         2),
-      t19 = 0.5 * minus_lower_rotation_yx, signed_lower_rotation_yy = signed_U_0_sin * signed_lower_sin,
-      t21 = t19 + each_k1 * signed_lower_rotation_yy, t23 = limb_lower_com_x * t21,
-      t26 = k1 * minus_lower_rotation_yx - factor_2 * signed_lower_rotation_yy,
-      t29 = param_R * t21 - (t23 - limb_lower_com_z * t26), t325 = sign1 * IN_EACH4(READ, v, 0, 3);
+      t17 = k1 * minus_lower_rotation_yx, signed_lower_rotation_yy = signed_U_0_sin * signed_lower_sin,
+      t19 = t17 - factor_2 * signed_lower_rotation_yy, t20 = limb_lower_com_z * t19,
+      t23 = 0.5 * minus_lower_rotation_yx + each_k1 * signed_lower_rotation_yy, t25 = t20 + k3 * t23,
+      t300 = sign1 * IN_EACH4(READ, v, 0, 3);
     /* each limb: momentum, eq. (31); velocities, eq. (6); momentum rate, eq. (35) */
-    const LIMB4 t33 = t325 * t29, t36 = 0.5 * signed_lower_sin - each_k1 * lower_cos,
-      t38 = param_R * t36 + (-param_R), t39 = limb_lower_com_x * t36,
-      t42 = k1 * signed_lower_sin + factor_2 * lower_cos, t45 = t38 - (t39 - limb_lower_com_z * t42),
-      U_v_1 = IN_EACH4(READ, v, 1, 3), U_0_cos = IN_EACH4(SINES, cosine, 0, 2), lower_twist_wy = U_v_1 * U_0_cos,
-      t47 = t33 + lower_twist_wy * t45, t328 = sign1 * signed_U_1_screw_vz, t329 = sign1 * (U_v_1 * t328),
-      signed_lower_momentum_pz = limb_lower_m * (t329 + t47), t49 = lower_twist_wy * signed_lower_momentum_pz,
-      signed_lower_rotation_zx = U_0_cos * lower_cos, t4 = 0.5 * signed_lower_rotation_zx,
-      signed_lower_rotation_zy = U_0_cos * signed_lower_sin, t6 = t4 + each_k1 * signed_lower_rotation_zy,
-      t8 = limb_lower_com_x * t6, t11 = k1 * signed_lower_rotation_zx - factor_2 * signed_lower_rotation_zy,
-      t14 = param_R * t6 - (t8 - limb_lower_com_z * t11), t51 = t325 * t14,
-      signed_lower_twist_wz = U_v_1 * signed_U_0_sin, t52 = signed_lower_twist_wz * t45 - t51,
-      signed_lower_twist_vy = U_v_1 * signed_U_1_screw_vy,
-      signed_lower_momentum_py = limb_lower_m * (signed_lower_twist_vy + t52), U_a_1 = IN_EACH4(READ, a, 1, 3);
+    const LIMB4 t29 = t300 * t25, t36 = 0.5 * signed_lower_sin + each_k1_2 * lower_cos, t37 = k3 * t36,
+      t38 = t37 + (-param_R), t32 = k1 * signed_lower_sin + factor_2 * lower_cos, t33 = limb_lower_com_z * t32,
+      t39 = t33 + t38, U_v_1 = IN_EACH4(READ, v, 1, 3), U_0_cos = IN_EACH4(SINES, cosine, 0, 2), t212 = t33 + t37,
+      lower_twist_wy = U_v_1 * U_0_cos, t41 = t29 + lower_twist_wy * t39,
+      signed_lower_twist_vz = U_v_1 * signed_U_1_screw_vz,
+      signed_lower_momentum_pz = limb_lower_m * (signed_lower_twist_vz + t41),
+      t43 = lower_twist_wy * signed_lower_momentum_pz, signed_lower_twist_wz = U_v_1 * signed_U_0_sin,
+      t44 = signed_lower_twist_wz * t39, signed_lower_rotation_zx = U_0_cos * lower_cos,
+      t4 = k1 * signed_lower_rotation_zx, signed_lower_rotation_zy = U_0_cos * signed_lower_sin,
+      t6 = t4 - factor_2 * signed_lower_rotation_zy, t7 = limb_lower_com_z * t6,
+      t10 = 0.5 * signed_lower_rotation_zx + each_k1 * signed_lower_rotation_zy, t12 = t7 + k3 * t10,
+      t46 = t44 - t300 * t12, signed_lower_twist_vy = U_v_1 * signed_U_1_screw_vy,
+      signed_lower_momentum_py = limb_lower_m * (signed_lower_twist_vy + t46);
     /* each limb: momentum rate, eq. (35); accelerations; momentum, eq. (31) */
-    const LIMB4 t55 = t49 + signed_lower_twist_wz * signed_lower_momentum_py,
-      signed_lower_twist_rate_wy = U_v_1 * (t325 * signed_U_0_sin) - sign1 * (U_a_1 * U_0_cos),
-      t15 = signed_lower_twist_rate_wy * t14,
-      signed_lower_twist_rate_wz = sign1 * (U_a_1 * signed_U_0_sin) + U_v_1 * (t325 * U_0_cos),
-      t32 = (-limb_lower_m) * (t15 - signed_lower_twist_rate_wz * t29), signed_lower_rate_at_O_fx = t55 - t32;
+    const LIMB4 t49 = t43 + signed_lower_twist_wz * signed_lower_momentum_py, t3 = U_v_1 * (t300 * signed_U_0_sin),
+      t299 = sign1 * IN_EACH4(READ, a, 1, 3), signed_lower_twist_rate_wy = t299 * U_0_cos - t3,
+      t13 = signed_lower_twist_rate_wy * t12,
+      signed_lower_twist_rate_wz = t299 * signed_U_0_sin + U_v_1 * (t300 * U_0_cos),
+      t28 = limb_lower_m * (t13 + signed_lower_twist_rate_wz * t25), signed_lower_rate_at_O_fx = t49 - t28;
     WRITE4(momentum_rates, 6, 19, 30, 43, -sign1 * signed_lower_rate_at_O_fx);
     LIMB4 checked = signed_lower_rate_at_O_fx;
-    const LIMB4 t60 = t325 * signed_lower_momentum_pz,
-      lower_momentum_px = limb_lower_m * (lower_twist_wy * t14 + signed_lower_twist_wz * t29),
-      U_a_0 = IN_EACH4(READ, a, 0, 3), t61 = signed_lower_twist_wz * lower_momentum_px + t60,
-      t67 = signed_lower_twist_rate_wz * t45 - U_a_0 * t14, t73 = U_a_1 * t328,
-      t330 = sign1 * (U_a_1 * signed_U_1_screw_vy + U_v_1 * (t325 * t328)), t69 = limb_lower_m * (t330 + t67),
-      lower_rate_at_O_fy = t61 + t69;
+    const LIMB4 t62 = t300 * signed_lower_momentum_pz,
+      lower_momentum_px = limb_lower_m * (lower_twist_wy * t12 + signed_lower_twist_wz * t25),
+      U_a_0 = IN_EACH4(READ, a, 0, 3), t63 = signed_lower_twist_wz * lower_momentum_px + t62,
+      t55 = signed_lower_twist_rate_wz * t39 - U_a_0 * t12,
+      lower_twist_rate_vy = t299 * signed_U_1_screw_vy + U_v_1 * (t300 * signed_U_1_screw_vz),
+      t57 = limb_lower_m * (lower_twist_rate_vy + t55), lower_rate_at_O_fy = t57 + t63;
     WRITE4(momentum_rates, 7, 18, 31, 42, lower_rate_at_O_fy);
     checked = checked + lower_rate_at_O_fy;
-    const LIMB4 t72 = t325 * signed_lower_momentum_py - lower_twist_wy * lower_momentum_px,
-      t78 = U_a_0 * t29 - signed_lower_twist_rate_wy * t45,
-      signed_lower_twist_rate_vz = U_v_1 * (t325 * signed_U_1_screw_vy) - t73,
-      t80 = limb_lower_m * (t78 - signed_lower_twist_rate_vz), signed_lower_rate_at_O_fz = t72 - t80;
+    const LIMB4 t66 = t300 * signed_lower_momentum_py - lower_twist_wy * lower_momentum_px,
+      t72 = U_a_0 * t25 + signed_lower_twist_rate_wy * t39,
+      signed_lower_twist_rate_vz = U_v_1 * (t300 * signed_U_1_screw_vy) - t299 * signed_U_1_screw_vz,
+      t74 = (-limb_lower_m) * (signed_lower_twist_rate_vz - t72), signed_lower_rate_at_O_fz = t66 - t74;
     WRITE4(momentum_rates, 8, 20, 32, 44, sign2 * signed_lower_rate_at_O_fz);
     checked = checked + signed_lower_rate_at_O_fz;
     /* each limb: momentum, eq. (31); momentum rate, eq. (35) */
-    const LIMB4 t107 = t45 * signed_lower_momentum_py + t29 * lower_momentum_px,
-      t110 = limb_lower_Ixz * t11 - limb_lower_Ixx * t6, t118 = t21 * t110, t119 = limb_lower_Iyy * signed_U_0_sin,
-      t121 = t118 + U_0_cos * t119, t127 = signed_U_0_sin * t119, t114 = limb_lower_Ixz * t6 - limb_lower_Izz * t11,
-      t123 = t121 + t26 * t114, t124 = lower_twist_wy * t123, t199 = signed_lower_twist_rate_wy * t123,
-      t128 = t6 * t110 - t127, t116 = t36 * t110 + t42 * t114, t130 = t128 + t11 * t114, t200 = U_a_0 * t116 + t199,
-      t132 = t124 - t325 * t116 - signed_lower_twist_wz * t130, signed_lower_momentum_Lz = t107 + t132,
-      t202 = t200 + signed_lower_twist_rate_wz * t130, t133 = lower_twist_wy * signed_lower_momentum_Lz,
-      t177 = t325 * signed_lower_momentum_Lz, t136 = t14 * lower_momentum_px + t45 * signed_lower_momentum_pz,
-      t139 = limb_lower_Ixx * t21 - limb_lower_Ixz * t26, t147 = t21 * t139, t148 = limb_lower_Iyy * U_0_cos,
-      t150 = t147 + U_0_cos * t148, t156 = signed_U_0_sin * t148, t143 = limb_lower_Ixz * t21 - limb_lower_Izz *
-          t26,
-      t152 = t150 - t26 * t143, t153 = lower_twist_wy * t152, t185 = signed_lower_twist_rate_wy * t152,
-      t157 = t6 * t139 - t156, t145 = t36 * t139 - t42 * t143, t159 = t157 - t11 * t143;
+    const LIMB4 t77 = limb_lower_Ixz * t6 - limb_lower_Ixx * t10, t85 = t23 * t77,
+      t86 = limb_lower_Iyy * signed_U_0_sin, t88 = t85 + U_0_cos * t86, t94 = signed_U_0_sin * t86,
+      t81 = limb_lower_Ixz * t10 - limb_lower_Izz * t6, t90 = t88 + t19 * t81, t91 = lower_twist_wy * t90,
+      t185 = signed_lower_twist_rate_wy * t90, t95 = t10 * t77 - t94, t83 = t36 * t77 + t32 * t81,
+      t97 = t95 + t6 * t81, t186 = U_a_0 * t83 - t185, t99 = t91 - t300 * t83 - signed_lower_twist_wz * t97,
+      t188 = t186 + signed_lower_twist_rate_wz * t97,
+      signed_lower_momentum_Lz = t99 + (t39 * signed_lower_momentum_py + t25 * lower_momentum_px),
+      t103 = lower_twist_wy * signed_lower_momentum_Lz, t171 = t300 * signed_lower_momentum_Lz,
+      t106 = limb_lower_Ixx * t23 - limb_lower_Ixz * t19, t114 = t23 * t106, t115 = limb_lower_Iyy * U_0_cos,
+      t117 = t114 + U_0_cos * t115, t123 = signed_U_0_sin * t115, t110 = limb_lower_Ixz * t23 - limb_lower_Izz *
+          t19,
+      t119 = t117 - t19 * t110, t120 = lower_twist_wy * t119, t176 = signed_lower_twist_rate_wy * t119,
+      t124 = t10 * t106 - t123, t112 = t36 * t106 - t32 * t110, t126 = t124 - t6 * t110;
     /* each limb: momentum rate, eq. (35); momentum, eq. (31); accelerations */
-    const LIMB4 t186 = U_a_0 * t145 + t185, t161 = t325 * t145 - t153 + signed_lower_twist_wz * t159,
-      lower_momentum_Ly = t136 - t161, t188 = t186 + signed_lower_twist_rate_wz * t159,
-      t163 = t133 - signed_lower_twist_wz * lower_momentum_Ly, t190 = t325 * lower_momentum_Ly,
-      t167 = t163 + (t329 * signed_lower_momentum_py - signed_lower_twist_vy * signed_lower_momentum_pz),
-      t170 = t29 * signed_lower_momentum_pz - t14 * signed_lower_momentum_py, t83 = t14 * t69 - t29 * t80,
-      t189 = t14 * t32 + t45 * t80 - t188, t203 = t45 * t69 + t29 * t32 - t202,
-      t86 = limb_lower_Ixx * t36 - limb_lower_Ixz * t42, t87 = t36 * t86,
-      t90 = limb_lower_Ixz * t36 - limb_lower_Izz * t42, t92 = t87 - t42 * t90, t93 = U_a_0 * t92, t171 = t325 *
-          t92,
-      t99 = t6 * t86, t96 = t21 * t86 - t26 * t90, t101 = t99 - t11 * t90, t173 = t171 - lower_twist_wy * t96,
-      t103 = t93 + signed_lower_twist_rate_wy * t96 + signed_lower_twist_rate_wz * t101,
-      lower_rate_at_O_mx = t167 - (t83 - t103);
+    const LIMB4 t177 = U_a_0 * t112 - t176, t128 = t300 * t112 - t120 + signed_lower_twist_wz * t126,
+      t179 = t177 + signed_lower_twist_rate_wz * t126,
+      minus_lower_momentum_Ly = t128 - (t12 * lower_momentum_px + t39 * signed_lower_momentum_pz),
+      t133 = t103 + signed_lower_twist_wz * minus_lower_momentum_Ly, t194 = t300 * minus_lower_momentum_Ly,
+      t135 = signed_lower_twist_vz * signed_lower_momentum_py,
+      t137 = t133 + (t135 - signed_lower_twist_vy * signed_lower_momentum_pz),
+      t169 = t25 * signed_lower_momentum_pz - t12 * signed_lower_momentum_py, t181 = t39 * t74, t189 = t39 * t57,
+      t160 = t25 * t74 - t12 * t57, t140 = limb_lower_Ixx * t36 - limb_lower_Ixz * t32, t148 = t23 * t140,
+      t153 = t10 * t140, t141 = t36 * t140, t144 = limb_lower_Ixz * t36 - limb_lower_Izz * t32,
+      t146 = t141 - t32 * t144, t150 = t148 - t19 * t144, t155 = t153 - t6 * t144,
+      t164 = t300 * t146 - lower_twist_wy * t150,
+      t157 = U_a_0 * t146 - signed_lower_twist_rate_wy * t150 + signed_lower_twist_rate_wz * t155,
+      lower_rate_at_O_mx = t137 + (t157 + t160);
     WRITE4(momentum_rates, 9, 22, 33, 46, lower_rate_at_O_mx);
     checked = checked + lower_rate_at_O_mx;
-    const LIMB4 t175 = t173 + signed_lower_twist_wz * t101, signed_lower_momentum_Lx = t170 + t175,
-      t192 = t190 - lower_twist_wy * signed_lower_momentum_Lx,
-      signed_lower_rate_at_O_my = signed_lower_twist_wz * signed_lower_momentum_Lx - t177 - t329 * lower_momentum_px
-          + t189;
+    const LIMB4 t166 = t164 + signed_lower_twist_wz * t155, signed_lower_momentum_Lx = t166 + t169,
+      t172 = signed_lower_twist_wz * signed_lower_momentum_Lx - t171,
+      t197 = signed_lower_twist_vy * lower_momentum_px + (t194 + lower_twist_wy * signed_lower_momentum_Lx),
+      signed_lower_rate_at_O_my = t172 - signed_lower_twist_vz * lower_momentum_px - (t179 - (t12 * t28 + t181));
     WRITE4(momentum_rates, 10, 21, 34, 45, sign1 * signed_lower_rate_at_O_my);
     checked = checked + signed_lower_rate_at_O_my;
-    const LIMB4 signed_lower_rate_at_O_mz = t192 - signed_lower_twist_vy * lower_momentum_px + t203;
-    WRITE4(momentum_rates, 11, 23, 35, 47, sign3 * signed_lower_rate_at_O_mz);
+    const LIMB4 signed_lower_rate_at_O_mz = t188 - (t189 + t25 * t28) + t197;
+    WRITE4(momentum_rates, 11, 23, 35, 47, -sign3 * signed_lower_rate_at_O_mz);
     checked = checked + signed_lower_rate_at_O_mz;
-    const LIMB4 t220 = 0.5 * t21 - param_H * t26, t224 = limb_upper_com_x * t21 - limb_upper_com_z * t26,
-      upper_offset_x = IN_EACH4(READ, q, 2, 3) + limb_upper_phase,
-      t225 = upper_offset_x * minus_lower_rotation_yx + t220 - t224, t231 = t325 * t225,
-      t238 = limb_upper_com_z * t42 - limb_upper_com_x * t36,
-      t235 = signed_lower_sin * upper_offset_x + (-param_R) + (0.5 * t36 - param_H * t42), t239 = t235 + t238,
-      signed_upper_position_z = upper_offset_x * signed_lower_rotation_zx, t241 = t231 + lower_twist_wy * t239,
-      t331 = sign1 * IN_EACH4(READ, v, 2, 3), signed_upper_twist_vz = t329 - t331 * signed_lower_rotation_zx,
-      signed_upper_momentum_pz = limb_lower_m * (signed_upper_twist_vz + t241),
-      t243 = lower_twist_wy * signed_upper_momentum_pz, t212 = signed_upper_position_z + (0.5 * t6 - param_H * t11),
-      t216 = t212 - (limb_upper_com_x * t6 - limb_upper_com_z * t11),
-      t247 = signed_lower_twist_wz * t239 - t325 * t216,
-      signed_upper_twist_vy = signed_lower_twist_vy - t331 * minus_lower_rotation_yx,
-      signed_upper_momentum_py = limb_lower_m * (signed_upper_twist_vy + t247), P_a = IN_EACH4(READ, a, 2, 3),
-      t250 = t243 + signed_lower_twist_wz * signed_upper_momentum_py, t279 = signed_lower_twist_rate_wy * t239,
-      t227 = signed_lower_twist_rate_wy * t216 - signed_lower_twist_rate_wz * t225,
-      t264 = signed_lower_twist_rate_wz * t239,
-      t208 = t331 * (signed_lower_rotation_zx * lower_twist_wy + minus_lower_rotation_yx * signed_lower_twist_wz),
-      t229 = limb_lower_m * (P_a * signed_lower_sin + t208 - t227), signed_upper_rate_at_O_fx = t229 - t250;
+    const LIMB4 upper_offset_x = IN_EACH4(READ, q, 2, 3) + limb_upper_phase,
+      t205 = upper_offset_x * minus_lower_rotation_yx - t25, t211 = t300 * t205,
+      t213 = signed_lower_sin * upper_offset_x + (-param_R) - t212,
+      t203 = upper_offset_x * signed_lower_rotation_zx - t12, t215 = t211 + lower_twist_wy * t213,
+      t301 = sign1 * IN_EACH4(READ, v, 2, 3),
+      signed_upper_twist_vz = signed_lower_twist_vz - t301 * signed_lower_rotation_zx,
+      signed_upper_momentum_pz = limb_lower_m * (signed_upper_twist_vz + t215),
+      t217 = lower_twist_wy * signed_upper_momentum_pz, t221 = signed_lower_twist_wz * t213 - t300 * t203,
+      signed_upper_twist_vy = signed_lower_twist_vy - t301 * minus_lower_rotation_yx,
+      signed_upper_momentum_py = limb_lower_m * (signed_upper_twist_vy + t221), P_a = IN_EACH4(READ, a, 2, 3),
+      t224 = t217 + signed_lower_twist_wz * signed_upper_momentum_py, t253 = signed_lower_twist_rate_wy * t213,
+      t207 = signed_lower_twist_rate_wy * t203 + signed_lower_twist_rate_wz * t205,
+      t231 = signed_lower_twist_rate_wz * t213,
+      t202 = t301 * (signed_lower_rotation_zx * lower_twist_wy + minus_lower_rotation_yx * signed_lower_twist_wz),
+      t209 = limb_lower_m * (P_a * signed_lower_sin + t202 + t207), signed_upper_rate_at_O_fx = t209 - t224;
     WRITE4(momentum_rates, 12, 25, 36, 49, sign1 * signed_upper_rate_at_O_fx);
     checked = checked + signed_upper_rate_at_O_fx;
-    const LIMB4 t253 = lower_twist_wy * t216 + signed_lower_twist_wz * t225, upper_twist_vx = t331 *
+    const LIMB4 t238 = lower_twist_wy * t203 + signed_lower_twist_wz * t205, upper_twist_vx = t301 *
         signed_lower_sin,
-      upper_momentum_px = limb_lower_m * (upper_twist_vx + t253),
-      t257 = signed_lower_twist_wz * upper_momentum_px + t325 * signed_upper_momentum_pz, t266 = U_a_0 * t216 -
-          t264,
-      t259 = P_a * minus_lower_rotation_yx - t330, t274 = t325 * minus_lower_rotation_yx,
-      t267 = t259 - t331 * (signed_lower_sin * signed_lower_twist_wz - t325 * signed_lower_rotation_zx) + t266,
-      t268 = limb_lower_m * t267, upper_rate_at_O_fy = t257 - t268;
+      upper_momentum_px = limb_lower_m * (upper_twist_vx + t238),
+      t242 = signed_lower_twist_wz * upper_momentum_px + t300 * signed_upper_momentum_pz, t233 = U_a_0 * t203 -
+          t231,
+      t226 = P_a * minus_lower_rotation_yx - lower_twist_rate_vy, t248 = t300 * minus_lower_rotation_yx,
+      t234 = t233 - (t301 * (signed_lower_sin * signed_lower_twist_wz - t300 * signed_lower_rotation_zx) - t226),
+      t235 = limb_lower_m * t234, upper_rate_at_O_fy = t242 - t235;
     WRITE4(momentum_rates, 13, 24, 37, 48, upper_rate_at_O_fy);
     checked = checked + upper_rate_at_O_fy;
-    const LIMB4 t273 = signed_lower_twist_rate_vz + P_a * signed_lower_rotation_zx,
-      t271 = t325 * signed_upper_momentum_py - lower_twist_wy * upper_momentum_px, t280 = U_a_0 * t225 - t279,
-      t282 = limb_lower_m * (t273 - t331 * (t274 + signed_lower_sin * lower_twist_wy) - t280),
-      signed_upper_rate_at_O_fz = t271 + t282;
+    const LIMB4 t247 = signed_lower_twist_rate_vz + P_a * signed_lower_rotation_zx,
+      t245 = t300 * signed_upper_momentum_py - lower_twist_wy * upper_momentum_px, t254 = U_a_0 * t205 + t253,
+      t256 = limb_lower_m * (t247 - t301 * (t248 + signed_lower_sin * lower_twist_wy) - t254),
+      signed_upper_rate_at_O_fz = t245 + t256;
     WRITE4(momentum_rates, 14, 26, 38, 50, sign2 * signed_upper_rate_at_O_fz);
     checked = checked + signed_upper_rate_at_O_fz;
-    const LIMB4 signed_upper_momentum_Lz = t132 + (t239 * signed_upper_momentum_py + t225 * upper_momentum_px),
-      t286 = lower_twist_wy * signed_upper_momentum_Lz, t304 = t325 * signed_upper_momentum_Lz,
-      minus_upper_momentum_Ly = t161 - (t216 * upper_momentum_px + t239 * signed_upper_momentum_pz),
-      t318 = t325 * minus_upper_momentum_Ly, t291 = t286 + signed_lower_twist_wz * minus_upper_momentum_Ly,
-      t292 = signed_upper_twist_vy * signed_upper_momentum_pz, t322 = signed_upper_twist_vy * upper_momentum_px,
-      t306 = signed_upper_twist_vz * upper_momentum_px,
-      t295 = t292 - signed_upper_twist_vz * signed_upper_momentum_py - t291, t314 = t239 * t268, t311 = t239 * t282,
-      upper_rate_at_O_mx = t103 + (t216 * t268 - t225 * t282) - t295;
+    const LIMB4 signed_upper_momentum_Lz = t99 + (t213 * signed_upper_momentum_py + t205 * upper_momentum_px),
+      t260 = lower_twist_wy * signed_upper_momentum_Lz, t278 = t300 * signed_upper_momentum_Lz,
+      minus_upper_momentum_Ly = t128 - (t203 * upper_momentum_px + t213 * signed_upper_momentum_pz),
+      t292 = t300 * minus_upper_momentum_Ly, t265 = t260 + signed_lower_twist_wz * minus_upper_momentum_Ly,
+      t266 = signed_upper_twist_vy * signed_upper_momentum_pz, t296 = signed_upper_twist_vy * upper_momentum_px,
+      t280 = signed_upper_twist_vz * upper_momentum_px,
+      t269 = t266 - signed_upper_twist_vz * signed_upper_momentum_py - t265, t288 = t213 * t235, t285 = t213 * t256,
+      upper_rate_at_O_mx = t157 + (t203 * t235 - t205 * t256) - t269;
     WRITE4(momentum_rates, 15, 28, 39, 52, upper_rate_at_O_mx);
     checked = checked + upper_rate_at_O_mx;
-    const LIMB4 t308 = t306 - upper_twist_vx * signed_upper_momentum_pz,
-      t323 = upper_twist_vx * signed_upper_momentum_py - t322,
-      signed_upper_momentum_Lx = t175 + (t225 * signed_upper_momentum_pz - t216 * signed_upper_momentum_py),
-      t309 = signed_lower_twist_wz * signed_upper_momentum_Lx - t304 - t308,
-      t324 = t318 + lower_twist_wy * signed_upper_momentum_Lx - t323,
-      signed_upper_rate_at_O_my = t309 - (t188 - (t216 * t229 - t311));
+    const LIMB4 t282 = t280 - upper_twist_vx * signed_upper_momentum_pz,
+      t297 = upper_twist_vx * signed_upper_momentum_py - t296,
+      signed_upper_momentum_Lx = t166 + (t205 * signed_upper_momentum_pz - t203 * signed_upper_momentum_py),
+      t283 = signed_lower_twist_wz * signed_upper_momentum_Lx - t278 - t282,
+      t298 = t292 + lower_twist_wy * signed_upper_momentum_Lx - t297,
+      signed_upper_rate_at_O_my = t283 - (t179 - (t203 * t209 - t285));
     WRITE4(momentum_rates, 16, 27, 40, 51, sign1 * signed_upper_rate_at_O_my);
     checked = checked + signed_upper_rate_at_O_my;
-    const LIMB4 signed_upper_rate_at_O_mz = t202 + (t314 - t225 * t229) + t324;
+    const LIMB4 signed_upper_rate_at_O_mz = t188 + (t288 - t205 * t209) + t298;
     WRITE4(momentum_rates, 17, 29, 41, 53, -sign3 * signed_upper_rate_at_O_mz);
     checked = checked + signed_upper_rate_at_O_mz;
     OWN(checked) = checked;
@@ -464,31 +452,32 @@ BODY(three_ups_upu_s_momentum_rates)(size_t stride, const double *restrict q, co
 }
 
 typedef struct {
-    EACH4 U_0_energy_kinetic_up_to, t1, t2, signed_lower_rotation_zx, t3;
+    EACH4 minus_U_0_U_still_xx, t1, t2, t3, t4, t5, t6, t7, signed_lower_rotation_zx, t8;
 } LIMBS(energy);
 
 STAGE(energy, 0)(size_t limb, size_t stride, const double *restrict q, const double *restrict v,
     const double *restrict sine, const double *restrict cosine, LIMBS(energy) *own)
 {
     (void)limb, (void)stride;
-    /* each limb: geometry */
+    const LIMB4 P_v = IN_EACH4(READ, v, 2, 3);
+    /* each limb: energy; accelerations; velocities, eq. (6) */
+    OWN(t7) = P_v * P_v;
+    const LIMB4 U_v_0 = IN_EACH4(READ, v, 0, 3);
+    OWN(minus_U_0_U_still_xx) = U_v_0 * U_v_0;
     const LIMB4 upper_offset_x = IN_EACH4(READ, q, 2, 3) + limb_upper_phase,
-      lower_cos = IN_EACH4(SINES, cosine, 0, 1);
+      lower_cos = IN_EACH4(SINES, cosine, 0, 1), t7 = limb_lower_m * upper_offset_x + (-limb_lower_mx);
     OWN(signed_lower_rotation_zx) = IN_EACH4(SINES, cosine, 4, 1) * lower_cos;
-    /* each limb: energy; velocities, eq. (6) */
-    const LIMB4 t26 = limb_lower_m * (upper_offset_x * OWN(signed_lower_rotation_zx));
-    OWN(t3) = (-gravity_z) * (t26 - limb_lower_mx * OWN(signed_lower_rotation_zx));
-    const LIMB4 U_v_1 = IN_EACH4(READ, v, 1, 3), upper_vel_y = U_v_1 * upper_offset_x, P_v = IN_EACH4(READ, v, 2,
-        3),
-      t19 = upper_vel_y * (limb_lower_m * upper_vel_y - k7 * U_v_1), U_v_0 = IN_EACH4(READ, v, 0, 3),
-      t20 = P_v * (limb_lower_m * P_v) + t19, lower_omega_y = U_v_0 * lower_cos,
-      minus_upper_vel_z = upper_offset_x * lower_omega_y;
-    OWN(t2) = t20 + minus_upper_vel_z * (limb_lower_m * minus_upper_vel_z - k7 * lower_omega_y);
-    const LIMB4 signed_lower_omega_x = U_v_0 * IN_EACH4(SINES, sine, 0, 1),
-      t4 = U_v_1 * U_v_1 + (signed_lower_omega_x * signed_lower_omega_x + lower_omega_y * lower_omega_y),
-      t5 = k4 * t4, t10 = signed_lower_omega_x * (k4 * signed_lower_omega_x) + lower_omega_y * (k5 * lower_omega_y);
-    OWN(t1) = t5 + (U_v_1 * (k5 * U_v_1) - t10);
-    OWN(U_0_energy_kinetic_up_to) = k3 * (U_v_0 * U_v_0);
+    OWN(t8) = OWN(signed_lower_rotation_zx) * t7;
+    const LIMB4 U_v_1 = IN_EACH4(READ, v, 1, 3), upper_vel_y = U_v_1 * upper_offset_x;
+    OWN(t6) = upper_vel_y * (limb_lower_m * upper_vel_y - k8 * U_v_1);
+    const LIMB4 lower_omega_y = U_v_0 * lower_cos, minus_upper_vel_z = upper_offset_x * lower_omega_y;
+    OWN(t5) = minus_upper_vel_z * (limb_lower_m * minus_upper_vel_z - k8 * lower_omega_y);
+    OWN(t3) = lower_omega_y * lower_omega_y;
+    const LIMB4 signed_lower_omega_x = U_v_0 * IN_EACH4(SINES, sine, 0, 1);
+    OWN(t1) = signed_lower_omega_x * signed_lower_omega_x;
+    const LIMB4 minus_lower_U_still_zz = OWN(t1) + OWN(t3);
+    OWN(t2) = U_v_1 * U_v_1;
+    OWN(t4) = OWN(t2) + minus_lower_U_still_zz;
 }
 
 BODY(three_ups_upu_s_energy)(size_t stride, const double *restrict q, const double *restrict v,
@@ -496,41 +485,43 @@ BODY(three_ups_upu_s_energy)(size_t stride, const double *restrict q, const doub
     double *restrict total)
 {
     LIMBS(energy) limbs;
-    /* limb5_S: geometry */
-    const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t15 = limb5_S_q_qw * limb5_S_q_qw,
-      t16 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t17 = t15 + t16,
-      t18 = limb5_S_q_qy * limb5_S_q_qy, limb5_S_q_qz = READ(q, 15), t24 = t16 + t18,
-      t21 = t17 + (t18 + limb5_S_q_qz * limb5_S_q_qz);
-    /* potential: energy; accelerations */
-    const REAL t26 = gravity_z_platform_mz * (1.0 - (4.0 - 2.0 * t21) * t24);
+    /* limb5_S: geometry; energy */
+    const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t50 = limb5_S_q_qw * limb5_S_q_qw,
+      t51 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t52 = t50 + t51,
+      t53 = limb5_S_q_qy * limb5_S_q_qy, limb5_S_q_qz = READ(q, 15), t59 = t51 + t53,
+      t56 = t52 + (t53 + limb5_S_q_qz * limb5_S_q_qz), t61 = gravity_z_platform_mz * (1.0 - (4.0 - 2.0 * t56) *
+          t59);
     FIRST_LIMB(0, energy, 0, stride, q, v, sine, cosine, &limbs);
     NEXT_LIMB(1, energy, 0, stride, q, v, sine, cosine, &limbs);
-    const REAL t27 = limbs.signed_lower_rotation_zx[0] - limbs.signed_lower_rotation_zx[1];
+    const REAL t62 = limbs.signed_lower_rotation_zx[0] - limbs.signed_lower_rotation_zx[1];
     NEXT_LIMB(2, energy, 0, stride, q, v, sine, cosine, &limbs);
-    const REAL t28 = limbs.signed_lower_rotation_zx[2] + t27;
+    const REAL t63 = limbs.signed_lower_rotation_zx[2] + t62;
     NEXT_LIMB(3, energy, 0, stride, q, v, sine, cosine, &limbs);
-    const REAL t33 = limbs.t3[1] - (limbs.t3[0] - (t26 - gravity_z_limb_lower_mx *
-        (limbs.signed_lower_rotation_zx[3] - t28))),
-      potential_energy = limbs.t3[3] - (limbs.t3[2] - t33);
+    const REAL t66 = t61 - gravity_z_limb_lower_mx * (limbs.signed_lower_rotation_zx[3] - t63),
+      potential_energy = t66 - gravity_z * (limbs.t8[3] + (limbs.t8[1] - limbs.t8[0] - limbs.t8[2]));
     WRITE(energy, 1, potential_energy);
     REAL checked0 = potential_energy;
-    const REAL limb2_lower_energy_kinetic_up_to = limbs.U_0_energy_kinetic_up_to[0] + limbs.t1[0] +
-        limbs.U_0_energy_kinetic_up_to[1] + limbs.t1[1],
-      limb4_U_0_energy_kinetic_up_to = limb2_lower_energy_kinetic_up_to + limbs.U_0_energy_kinetic_up_to[2] +
-          limbs.t1[2] + limbs.U_0_energy_kinetic_up_to[3],
-      limb5_S_v_wx = READ(v, 12), limb5_S_v_wy = READ(v, 13), limb5_S_v_wz = READ(v, 14),
-      limb4_lower_energy_kinetic_up_to = limb4_U_0_energy_kinetic_up_to + limbs.t1[3],
-      t5 = k6 * (limb5_S_v_wz * limb5_S_v_wz + (limb5_S_v_wx * limb5_S_v_wx + limb5_S_v_wy * limb5_S_v_wy)),
-      t10 = limb5_S_v_wx * (platform_sxx * limb5_S_v_wx) + limb5_S_v_wy * (platform_sxx * limb5_S_v_wy),
-      platform_energy_kinetic_up_to = limb4_lower_energy_kinetic_up_to + (t5 - (t10 + limb5_S_v_wz * (platform_szz *
-          limb5_S_v_wz))),
-      kinetic_energy = 0.5 * (platform_energy_kinetic_up_to + limbs.t2[0] + limbs.t2[1] + limbs.t2[2] +
-          limbs.t2[3]);
+    /* limb4: energy */
+    const REAL t10 = limbs.t4[3] - (limbs.t1[2] - (limbs.t4[2] - (limbs.t1[1] - (limbs.t4[1] - (limbs.t1[0] -
+        limbs.t4[0]))))),
+      t12 = k5 * (limbs.t1[3] - t10),
+      t18 = limbs.t3[3] - (limbs.t2[2] - (limbs.t3[2] - (limbs.t2[1] - (limbs.t3[1] + (limbs.t3[0] -
+          limbs.t2[0]))))),
+      t21 = t12 - k6 * (limbs.t2[3] - t18),
+      t2 = limbs.minus_U_0_U_still_xx[2] + (limbs.minus_U_0_U_still_xx[0] + limbs.minus_U_0_U_still_xx[1]),
+      limb5_S_v_wx = READ(v, 12), limb5_S_v_wy = READ(v, 13), t22 = k4 * (limbs.minus_U_0_U_still_xx[3] + t2) - t21,
+      minus_platform_U_still_zz = limb5_S_v_wx * limb5_S_v_wx + limb5_S_v_wy * limb5_S_v_wy,
+      limb5_S_v_wz = READ(v, 14), t27 = k7 * (limb5_S_v_wz * limb5_S_v_wz + minus_platform_U_still_zz),
+      t32 = t27 - (limb5_S_v_wz * (platform_szz * limb5_S_v_wz) + platform_sxx * minus_platform_U_still_zz),
+      t33 = t22 + t32,
+      t39 = limbs.t5[0] + (limbs.t6[0] + limb_lower_m * (limbs.t7[0] + limbs.t7[1] + limbs.t7[2] + limbs.t7[3])),
+      t44 = t33 + t39 + (limbs.t6[1] + limbs.t5[1]) + (limbs.t6[2] + limbs.t5[2]),
+      kinetic_energy = 0.5 * (t44 + (limbs.t6[3] + limbs.t5[3]));
     WRITE(energy, 0, kinetic_energy);
     REAL checked1 = kinetic_energy;
     /* else status 5: no rotation */
-    NOT_BELOW(t21, 0.999999, 5);
-    NOT_ABOVE(t21, 1.000001, 5);
+    NOT_BELOW(t56, 0.999999, 5);
+    NOT_ABOVE(t56, 1.000001, 5);
     FINITE(checked0 + checked1);
 }
 
@@ -548,31 +539,31 @@ BODY(three_ups_upu_s_mass_matrix)(size_t stride, const double *restrict q, doubl
     checked3 = checked3 + (READ(q, 15));
     /* limb1: geometry; inertia */
     const REAL limb1_upper_offset_x = limb_upper_phase + READ(q, 2),
-      t3 = limb1_upper_offset_x * (k7 - limb_lower_m * limb1_upper_offset_x);
-    RESULT(checked0, mass_matrix, 16, k9 - t3);
+      t3 = limb1_upper_offset_x * (k8 - limb_lower_m * limb1_upper_offset_x);
+    RESULT(checked0, mass_matrix, 16, k10 - t3);
     const REAL limb1_lower_cos = SINES(cosine, 0);
-    RESULT(checked1, mass_matrix, 0, k3 - limb1_lower_cos * (limb1_lower_cos * (t3 - k8)));
+    RESULT(checked1, mass_matrix, 0, k4 - limb1_lower_cos * (limb1_lower_cos * (t3 - k9)));
     const REAL limb2_upper_offset_x = limb_upper_phase + READ(q, 5),
-      t9 = limb2_upper_offset_x * (k7 - limb_lower_m * limb2_upper_offset_x); /* limb2 */
-    RESULT(checked2, mass_matrix, 64, k9 - t9);
+      t9 = limb2_upper_offset_x * (k8 - limb_lower_m * limb2_upper_offset_x); /* limb2 */
+    RESULT(checked2, mass_matrix, 64, k10 - t9);
     const REAL limb2_lower_cos = SINES(cosine, 1);
-    RESULT(checked3, mass_matrix, 48, k3 - limb2_lower_cos * (limb2_lower_cos * (t9 - k8)));
+    RESULT(checked3, mass_matrix, 48, k4 - limb2_lower_cos * (limb2_lower_cos * (t9 - k9)));
     const REAL limb3_upper_offset_x = limb_upper_phase + READ(q, 8),
-      t15 = limb3_upper_offset_x * (k7 - limb_lower_m * limb3_upper_offset_x); /* limb3 */
-    RESULT(checked0, mass_matrix, 112, k9 - t15);
+      t15 = limb3_upper_offset_x * (k8 - limb_lower_m * limb3_upper_offset_x); /* limb3 */
+    RESULT(checked0, mass_matrix, 112, k10 - t15);
     const REAL limb3_lower_cos = SINES(cosine, 2);
-    RESULT(checked1, mass_matrix, 96, k3 - limb3_lower_cos * (limb3_lower_cos * (t15 - k8)));
+    RESULT(checked1, mass_matrix, 96, k4 - limb3_lower_cos * (limb3_lower_cos * (t15 - k9)));
     const REAL limb4_upper_offset_x = limb_upper_phase + READ(q, 11),
-      t21 = limb4_upper_offset_x * (k7 - limb_lower_m * limb4_upper_offset_x); /* limb4 */
-    RESULT(checked2, mass_matrix, 160, k9 - t21);
+      t21 = limb4_upper_offset_x * (k8 - limb_lower_m * limb4_upper_offset_x); /* limb4 */
+    RESULT(checked2, mass_matrix, 160, k10 - t21);
     const REAL limb4_lower_cos = SINES(cosine, 3);
-    RESULT(checked3, mass_matrix, 144, k3 - limb4_lower_cos * (limb4_lower_cos * (t21 - k8)));
+    RESULT(checked3, mass_matrix, 144, k4 - limb4_lower_cos * (limb4_lower_cos * (t21 - k9)));
     WRITE(mass_matrix, 32, CONSTANT(limb_lower_m));
     WRITE(mass_matrix, 80, CONSTANT(limb_lower_m));
     WRITE(mass_matrix, 128, CONSTANT(limb_lower_m));
     WRITE(mass_matrix, 176, CONSTANT(limb_lower_m));
-    WRITE(mass_matrix, 192, CONSTANT(k13));
-    WRITE(mass_matrix, 208, CONSTANT(k13));
+    WRITE(mass_matrix, 192, CONSTANT(k14));
+    WRITE(mass_matrix, 208, CONSTANT(k14));
     WRITE(mass_matrix, 224, CONSTANT(platform_Izz));
     FINITE((checked0 + checked1) + (checked2 + checked3));
 }
@@ -585,37 +576,35 @@ STAGE(bias, 0)(size_t limb, size_t stride, const double *restrict q, const doubl
     double *restrict bias, const double *restrict sine, const double *restrict cosine, LIMBS(bias) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, -1.0, 1.0), factor_2 = sign2 * 2.0,
-      each_gravity_z = -sign2 * gravity_z, each_gravity_z_limb_lower_mx = sign2 * gravity_z_limb_lower_mx;
-    const LIMB4 U_v_0 = IN_EACH4(READ, v, 0, 3), signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
+    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0), sign2 = OF4(1.0, -1.0, -1.0, 1.0),
+      sign3 = OF4(1.0, -1.0, -1.0, -1.0), each_k11 = sign3 * k11, sign4 = OF4(1.0, 1.0, 1.0, -1.0),
+      each_gravity_z = -sign2 * gravity_z;
+    const LIMB4 t22 = sign1 * IN_EACH4(SINES, cosine, 1, 2), U_v_0 = IN_EACH4(READ, v, 0, 3),
+      t24 = sign2 * (U_v_0 * t22), P_v = IN_EACH4(READ, v, 2, 3), U_v_1 = IN_EACH4(READ, v, 1, 3),
+      t25 = sign2 * (P_v * t24), t23 = sign2 * U_v_1, signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
     /* each limb: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47) */
-    const LIMB4 signed_lower_omega_x = U_v_0 * signed_lower_sin, U_v_1 = IN_EACH4(READ, v, 1, 3),
-      signed_lower_alpha_still_y = U_v_1 * signed_lower_omega_x,
-      signed_lower_U_still_zx = factor_2 * signed_lower_alpha_still_y,
+    const LIMB4 signed_lower_omega_x = U_v_0 * signed_lower_sin,
+      signed_lower_alpha_still_y = t23 * signed_lower_omega_x, lower_U_still_xy = signed_lower_omega_x * t24,
       upper_offset_x = IN_EACH4(READ, q, 2, 3) + limb_upper_phase, signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2),
-      t5 = each_gravity_z * signed_U_0_sin - sign2 * (upper_offset_x * signed_lower_U_still_zx),
-      t19 = sign1 * IN_EACH4(SINES, cosine, 1, 2), signed_lower_omega_y = U_v_0 * t19,
-      lower_U_still_xy = signed_lower_omega_x * signed_lower_omega_y, P_v = IN_EACH4(READ, v, 2, 3),
-      signed_upper_acc_still_z = P_v * (2.0 * signed_lower_omega_y) + t5,
+      signed_upper_acc_still_z = gravity_z * signed_U_0_sin - 2.0 * (t25 - upper_offset_x *
+          signed_lower_alpha_still_y),
       signed_upper_rate_my = limb_lower_mx * signed_upper_acc_still_z,
-      t7 = signed_upper_rate_my - upper_offset_x * (k7 * signed_lower_alpha_still_y + limb_lower_m *
+      t9 = signed_upper_rate_my + upper_offset_x * (k8 * signed_lower_alpha_still_y - limb_lower_m *
           signed_upper_acc_still_z),
-      t9 = t19 * (t7 + (each_gravity_z_limb_lower_mx * signed_U_0_sin + k11 * signed_lower_alpha_still_y)),
-      U_0_moment_z = signed_lower_sin * (k10 * (U_v_1 * signed_lower_omega_y)) - t9;
+      t10 = t22 * (gravity_z_limb_lower_mx * signed_U_0_sin + k12 * signed_lower_alpha_still_y - t9),
+      U_0_moment_z = sign4 * (signed_lower_sin * (each_k11 * (t23 * t24))) - t10;
     WRITE4(bias, 0, 3, 6, 9, U_0_moment_z);
     LIMB4 checked = U_0_moment_z;
-    const LIMB4 t17 = signed_lower_omega_y * signed_lower_omega_y, t13 = upper_offset_x * lower_U_still_xy,
-      signed_U_0_acc_y = each_gravity_z * IN_EACH4(SINES, cosine, 0, 2), minus_lower_acc_x = t19 * signed_U_0_acc_y,
-      lower_acc_y = signed_lower_sin * signed_U_0_acc_y, minus_upper_moment_z = limb_lower_mx * lower_acc_y,
-      upper_acc_still_y = P_v * (2.0 * U_v_1) + (t13 + lower_acc_y),
-      minus_upper_rate_mz = limb_lower_mx * upper_acc_still_y,
-      t16 = upper_offset_x * (limb_lower_m * upper_acc_still_y - limb_lower_mx * lower_U_still_xy) -
-          minus_upper_rate_mz,
-      lower_moment_z = k8 * lower_U_still_xy + minus_upper_moment_z + t16;
+    const LIMB4 minus_lower_U_still_xx = t24 * t24 + t23 * t23, t14 = upper_offset_x * lower_U_still_xy,
+      signed_U_0_acc_y = each_gravity_z * IN_EACH4(SINES, cosine, 0, 2), signed_lower_acc_x = t22 *
+          signed_U_0_acc_y,
+      lower_acc_y = signed_lower_sin * signed_U_0_acc_y, t27 = sign2 * signed_lower_acc_x,
+      upper_acc_still_y = P_v * (2.0 * U_v_1) + (t14 + lower_acc_y),
+      t18 = k9 * lower_U_still_xy + limb_lower_mx * (lower_acc_y - upper_acc_still_y),
+      lower_moment_z = t18 + upper_offset_x * (limb_lower_m * upper_acc_still_y - limb_lower_mx * lower_U_still_xy);
     WRITE4(bias, 1, 4, 7, 10, lower_moment_z);
     checked = checked + lower_moment_z;
-    const LIMB4 minus_lower_U_still_xx = t17 + U_v_1 * U_v_1,
-      minus_lower_force_x = limb_lower_m * (upper_offset_x * minus_lower_U_still_xx + minus_lower_acc_x),
+    const LIMB4 minus_lower_force_x = limb_lower_m * (upper_offset_x * minus_lower_U_still_xx + t27),
       upper_rate_fx = limb_lower_mx * minus_lower_U_still_xx - minus_lower_force_x;
     WRITE4(bias, 2, 5, 8, 11, upper_rate_fx);
     checked = checked + upper_rate_fx;
@@ -641,8 +630,8 @@ BODY(three_ups_upu_s_bias)(size_t stride, const double *restrict q, const double
       t11 = limb5_S_q_qz * t10, limb5_S_v_wz = READ(v, 14),
       minus_platform_moment_x = gravity_z_platform_mz * (limb5_S_q_qy * t11 + limb5_S_q_qw * (limb5_S_q_qx * t10)),
       platform_moment_y = gravity_z_platform_mz * (limb5_S_q_qx * t11 - limb5_S_q_qw * (limb5_S_q_qy * t10));
-    RESULT(checked0, bias, 12, k12 * (READ(v, 13) * limb5_S_v_wz) - minus_platform_moment_x);
-    RESULT(checked1, bias, 13, platform_moment_y - k12 * (READ(v, 12) * limb5_S_v_wz));
+    RESULT(checked0, bias, 12, k13 * (READ(v, 13) * limb5_S_v_wz) - minus_platform_moment_x);
+    RESULT(checked1, bias, 13, platform_moment_y - k13 * (READ(v, 12) * limb5_S_v_wz));
     WRITE(bias, 14, CONSTANT(0.0));
     /* else status 5: no rotation */
     NOT_BELOW(t8, 0.999999, 5);

@@ -10,10 +10,11 @@ typedef struct {
     EACH4 minus_S_arm_y, upper_offset_x, signed_U_0_lever_mz_by_S_fz, t1, S_arm_x, t2,
       signed_limb1_U2_part_mn_by_P, minus_limb5_S_balance_wy_by_P, limb5_S_balance_wx_by_P, t3,
       signed_upper_rate_fz, signed_S_multiplier_fz, upper_rate_fx, minus_upper_rate_fy,
-      minus_S_multiplier_fy, t4, t5, t6, t7, t8, lower_rate_fy_2, t9, lower_rate_fx_2, lower_sent_fx,
-      signed_lower_rate_fz_2, t10, upper_rate_mx, t11, signed_lower_rate_my_2, signed_upper_rate_my_2,
-      signed_lower_rotation_zx, signed_lower_rotation_yx, minus_upper_rate_mz_2, S_multiplier_fx,
-      signed_S_reaction_fy, S_reaction_my, S_reaction_mx, signed_S_reaction_mz, t12, t13, checked;
+      minus_S_multiplier_fy, t4, t5, t6, t7, t8, lower_rate_fy_2, t9, minus_lower_rate_fx_2,
+      minus_lower_sent_fx, signed_lower_rate_fz_2, upper_rate_mx, signed_lower_rate_my_2,
+      signed_upper_rate_my_2, signed_lower_rotation_zx, signed_lower_rotation_yx, minus_upper_rate_mz_2,
+      S_multiplier_fx, signed_S_reaction_fy, S_reaction_my, S_reaction_mx, signed_S_reaction_mz, t10, t11,
+      checked;
 } LIMBS(joint_reactions);
 
 STAGE(joint_reactions, 0)(size_t limb, size_t stride, const double *restrict q, const double *restrict v,
@@ -24,7 +25,7 @@ STAGE(joint_reactions, 0)(size_t limb, size_t stride, const double *restrict q, 
     const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), each_param_R = sign1 * param_R,
       sign2 = OF4(1.0, -1.0, -1.0, 1.0), each_gravity_z = sign2 * gravity_z,
       each_gravity_z_limb_lower_mx = sign2 * gravity_z_limb_lower_mx, each_gravity_z_2 = -sign2 * gravity_z,
-      each_limb_lower_m_gravity_z = sign2 * limb_lower_m_gravity_z, each_k14 = sign1 * k14, each_k15 = sign1 * k15;
+      each_limb_lower_m_gravity_z = sign2 * limb_lower_m_gravity_z, each_k15 = sign1 * k15, each_k16 = sign1 * k16;
     const LIMB4 lower_cos = IN_EACH4(SINES, cosine, 1, 2), t46 = sign1 * lower_cos,
       signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2);
     /* each limb: geometry; velocities, eq. (6) */
@@ -44,8 +45,8 @@ STAGE(joint_reactions, 0)(size_t limb, size_t stride, const double *restrict q, 
       upper_acc_y = P_v * (2.0 * U_v_1) + t25, minus_upper_rate_mz = limb_lower_mx * upper_acc_y;
     OWN(minus_upper_rate_fy) = lower_rate_fy - limb_lower_m * upper_acc_y;
     const LIMB4 t27 = minus_upper_rate_mz + OWN(upper_offset_x) * OWN(minus_upper_rate_fy),
-      t28 = k8 * lower_U_still_xy;
-    OWN(minus_upper_rate_mz_2) = minus_upper_rate_mz - (k18 * U_a_1 + k19 * lower_U_still_xy);
+      t28 = k9 * lower_U_still_xy;
+    OWN(minus_upper_rate_mz_2) = minus_upper_rate_mz - (k19 * U_a_1 + k20 * lower_U_still_xy);
     const LIMB4 U_a_0 = IN_EACH4(READ, a, 0, 3), signed_lower_alpha_y = signed_lower_alpha_still_y - U_a_0 * t46,
       signed_lower_U_zx = signed_lower_alpha_still_y + signed_lower_alpha_y,
       t5 = OWN(upper_offset_x) * signed_lower_U_zx;
@@ -55,25 +56,25 @@ STAGE(joint_reactions, 0)(size_t limb, size_t stride, const double *restrict q, 
       signed_upper_rate_my = limb_lower_mx * signed_upper_acc_z;
     OWN(signed_upper_rate_fz) = limb_lower_m * signed_upper_acc_z + signed_lower_rate_fz;
     const LIMB4 t8 = signed_upper_rate_my - OWN(upper_offset_x) * OWN(signed_upper_rate_fz),
-      t10 = k8 * signed_lower_alpha_y, t42 = k16 * signed_lower_alpha_y + k17 * signed_lower_alpha_still_y;
+      t10 = k9 * signed_lower_alpha_y, t42 = k17 * signed_lower_alpha_y + k18 * signed_lower_alpha_still_y;
     OWN(signed_upper_rate_my_2) = signed_upper_rate_my + t42;
-    const LIMB4 t11 = k9 * signed_lower_alpha_still_y + t10,
+    const LIMB4 t11 = k10 * signed_lower_alpha_still_y + t10,
       signed_upper_moment_y = each_gravity_z_limb_lower_mx * signed_U_0_sin;
     OWN(signed_lower_rate_my_2) = signed_upper_moment_y + t42;
     const LIMB4 t12 = t46 * (t8 + (signed_upper_moment_y + t11)),
       signed_lower_alpha_still_x = U_v_1 * signed_lower_omega_y, t19 = signed_lower_omega_y * signed_lower_omega_y,
-      t38 = each_k14 * (signed_lower_alpha_still_x + U_a_0 * signed_lower_sin);
-    OWN(upper_rate_mx) = t38 - each_k15 * signed_lower_alpha_still_x;
-    const LIMB4 minus_lower_joint_force_my = t12 - signed_lower_sin * (k10 * signed_lower_alpha_still_x);
+      t38 = each_k15 * (signed_lower_alpha_still_x + U_a_0 * signed_lower_sin);
+    OWN(upper_rate_mx) = t38 - each_k16 * signed_lower_alpha_still_x;
+    const LIMB4 minus_lower_joint_force_my = t12 - signed_lower_sin * (k11 * signed_lower_alpha_still_x);
     OWN(signed_lower_rate_fz_2) = signed_lower_rate_fz + each_limb_lower_m_gravity_z * signed_U_0_sin;
     const LIMB4 minus_lower_U_still_xx = t19 + U_v_1 * U_v_1,
       minus_lower_rate_fx = limb_lower_mx * minus_lower_U_still_xx,
       minus_upper_acc_still_x_2 = OWN(upper_offset_x) * minus_lower_U_still_xx + minus_lower_acc_x;
-    OWN(lower_rate_fx_2) = (-limb_lower_m) * minus_lower_acc_x - minus_lower_rate_fx;
+    OWN(minus_lower_rate_fx_2) = minus_lower_rate_fx + limb_lower_m * minus_lower_acc_x;
     OWN(upper_rate_fx) = minus_lower_rate_fx + limb_lower_m * (IN_EACH4(READ, a, 2, 3) - minus_upper_acc_still_x_2);
     OWN(lower_rate_fy_2) = lower_rate_fy + limb_lower_m * lower_acc_y;
     const LIMB4 minus_upper_moment_z = limb_lower_mx * lower_acc_y,
-      U_0_moment_z = k3 * U_a_0 - minus_lower_joint_force_my;
+      U_0_moment_z = k4 * U_a_0 - minus_lower_joint_force_my;
     OWN(signed_U_0_lever_mz_by_S_fz) = t46 * OWN(upper_offset_x);
     LIMB4 checked = OWN(signed_U_0_lever_mz_by_S_fz);
     OWN(t1) = 1.0 / OWN(signed_U_0_lever_mz_by_S_fz);
@@ -88,7 +89,7 @@ STAGE(joint_reactions, 0)(size_t limb, size_t stride, const double *restrict q, 
     const LIMB4 t15 = OWN(S_arm_x) * OWN(signed_S_multiplier_fz);
     OWN(t6) = t36 + t46 * t15;
     const LIMB4 t17 = t14 - signed_lower_sin * t15, t34 = signed_U_0_sin * t17, t18 = U_0_cos * t17;
-    OWN(minus_S_multiplier_fy) = (t27 - (minus_upper_moment_z + (t28 + k9 * U_a_1))) * OWN(t2);
+    OWN(minus_S_multiplier_fy) = (t27 - (minus_upper_moment_z + (t28 + k10 * U_a_1))) * OWN(t2);
     const LIMB4 t32 = t21 - OWN(S_arm_x) * OWN(minus_S_multiplier_fy);
     OWN(t5) = t34 - U_0_cos * t32;
     OWN(t4) = t18 + signed_U_0_sin * t32;
@@ -111,8 +112,7 @@ STAGE(joint_reactions, 1)(size_t limb, size_t stride, const double *restrict sin
 }
 
 STAGE(joint_reactions, 2)(size_t limb, size_t stride, double *restrict u, const EACH4 given,
-    const EACH4 given_2, REAL limb1_U_factor_1_by_3, REAL minus_limb1_U_factor_0_by_3,
-    LIMBS(joint_reactions) *own)
+    const EACH4 given_2, LIMBS(joint_reactions) *own)
 {
     (void)limb, (void)stride;
     const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0);
@@ -120,104 +120,103 @@ STAGE(joint_reactions, 2)(size_t limb, size_t stride, double *restrict u, const 
     const LIMB4 t1 = OWN(minus_limb5_S_balance_wy_by_P) * GIVEN(given),
       signed_P_drive = t1 + OWN(limb5_S_balance_wx_by_P) * GIVEN(given_2);
     WRITE4(u, 0, 1, 2, 3, -sign1 * signed_P_drive);
-    OWN(t11) = OWN(signed_limb1_U2_part_mn_by_P) * signed_P_drive;
-    OWN(t9) = signed_P_drive * (limb1_U_factor_1_by_3 * OWN(signed_limb1_U2_part_mn_by_P));
+    OWN(t9) = OWN(signed_limb1_U2_part_mn_by_P) * signed_P_drive;
     const LIMB4 t3 = sign1 * signed_P_drive;
-    OWN(lower_sent_fx) = OWN(lower_rate_fx_2) - t3;
+    OWN(minus_lower_sent_fx) = OWN(minus_lower_rate_fx_2) + t3;
     OWN(S_multiplier_fx) = OWN(upper_rate_fx) + t3;
-    OWN(t10) = signed_P_drive * (minus_limb1_U_factor_0_by_3 * OWN(signed_limb1_U2_part_mn_by_P));
 }
 
 STAGE(joint_reactions, 3)(size_t limb, size_t stride, double *restrict reactions, const double *restrict sine,
-    const double *restrict cosine, const EACH4 signed_S_multiplier_fy, const EACH4 signed_S_multiplier_fz,
+    const double *restrict cosine, const EACH4 minus_S_multiplier_fy, const EACH4 signed_S_multiplier_fz,
     const EACH4 upper_rate_mx, const EACH4 upper_rate_mx_2, const EACH4 minus_upper_rate_mz_2,
     LIMBS(joint_reactions) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, -1.0, -1.0, -1.0), sign2 = OF4(1.0, 1.0, -1.0, -1.0),
-      factor_2 = OF4(-1.0, -2.0, 2.0, 2.0), sign3 = OF4(1.0, -1.0, -1.0, 1.0), sign4 = OF4(1.0, -1.0, 1.0, -1.0);
-    const LIMB4 t66 = sign1 * GIVEN(signed_S_multiplier_fy), signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
-    /* each limb: balance, eqs. (40)-(47); reactions, eq. (32); geometry */
-    const LIMB4 t62 = signed_lower_sin * t66, t67 = sign2 * IN_EACH4(SINES, cosine, 1, 2),
-      t63 = t62 - t67 * OWN(S_multiplier_fx), U_0_cos = IN_EACH4(SINES, cosine, 0, 2),
-      signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2), t65 = U_0_cos * t63, t64 = signed_U_0_sin * t63,
-      t51 = signed_U_0_sin * GIVEN(signed_S_multiplier_fz);
-    OWN(t13) = t65 + t51;
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), factor_2 = OF4(-1.0, -2.0, 2.0, 2.0),
+      sign2 = OF4(1.0, -1.0, 1.0, 1.0), each_param_R = -sign2 * param_R, sign3 = OF4(1.0, -1.0, -1.0, 1.0),
+      sign4 = OF4(1.0, -1.0, 1.0, -1.0), sign5 = OF4(1.0, 1.0, 1.0, -1.0);
+    const LIMB4 t66 = sign1 * IN_EACH4(SINES, cosine, 1, 2), signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
+    /* each limb: balance, eqs. (40)-(47) */
+    const LIMB4 t63 = t66 * OWN(S_multiplier_fx) + signed_lower_sin * GIVEN(minus_S_multiplier_fy),
+      U_0_cos = IN_EACH4(SINES, cosine, 0, 2), signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2), t65 = U_0_cos * t63,
+      t64 = signed_U_0_sin * t63;
+    /* each limb: reactions, eq. (32); balance, eqs. (40)-(47); geometry */
+    const LIMB4 t51 = signed_U_0_sin * GIVEN(signed_S_multiplier_fz);
+    OWN(t11) = t65 - t51;
     const LIMB4 t47 = U_0_cos * GIVEN(signed_S_multiplier_fz);
-    OWN(t12) = t64 - t47;
-    const LIMB4 signed_lower_rotation_yy = signed_U_0_sin * signed_lower_sin;
-    /* each limb: reactions, eq. (32); geometry; balance, eqs. (40)-(47) */
-    const LIMB4 signed_S_reaction_fx = t47 - (signed_lower_rotation_yy * t66 - OWN(signed_lower_rotation_yx) *
-        OWN(S_multiplier_fx));
-    WRITE4(reactions, 13, 30, 49, 66, sign2 * signed_S_reaction_fx);
+    OWN(t10) = t64 + t47;
+    const LIMB4 signed_lower_rotation_yy = signed_U_0_sin * signed_lower_sin,
+      t49 = signed_lower_rotation_yy * GIVEN(minus_S_multiplier_fy),
+      signed_S_reaction_fx = t47 + (OWN(signed_lower_rotation_yx) * OWN(S_multiplier_fx) + t49);
+    WRITE4(reactions, 13, 30, 49, 66, sign1 * signed_S_reaction_fx);
     const LIMB4 signed_upper_position_x = signed_lower_sin * OWN(upper_offset_x) + (-param_R),
       t60 = signed_upper_position_x * signed_S_reaction_fx;
-    OWN(signed_S_reaction_fy) = t67 * t66 + signed_lower_sin * OWN(S_multiplier_fx);
-    WRITE4(reactions, 12, 31, 48, 67, -sign2 * OWN(signed_S_reaction_fy));
+    OWN(signed_S_reaction_fy) = signed_lower_sin * OWN(S_multiplier_fx) - t66 * GIVEN(minus_S_multiplier_fy);
+    WRITE4(reactions, 12, 31, 48, 67, -sign1 * OWN(signed_S_reaction_fy));
     const LIMB4 signed_upper_position_y = OWN(upper_offset_x) * OWN(signed_lower_rotation_yx);
     OWN(signed_S_reaction_mz) = signed_upper_position_y * OWN(signed_S_reaction_fy) - t60;
-    const LIMB4 signed_lower_rotation_zy = U_0_cos * signed_lower_sin, t52 = signed_lower_rotation_zy * t66,
-      minus_upper_sent_fy = OWN(minus_upper_rate_fy) + t66,
-      signed_S_reaction_fz = OWN(signed_lower_rotation_zx) * OWN(S_multiplier_fx) - t52 - t51;
+    const LIMB4 signed_lower_rotation_zy = U_0_cos * signed_lower_sin,
+      t53 = signed_lower_rotation_zy * GIVEN(minus_S_multiplier_fy),
+      signed_S_reaction_fz = OWN(signed_lower_rotation_zx) * OWN(S_multiplier_fx) + t53 - t51;
     WRITE4(reactions, 14, 32, 50, 68, -sign3 * signed_S_reaction_fz);
     const LIMB4 t57 = signed_upper_position_x * signed_S_reaction_fz,
       t56 = signed_upper_position_y * signed_S_reaction_fz,
       signed_upper_position_z = OWN(upper_offset_x) * OWN(signed_lower_rotation_zx);
     OWN(S_reaction_mx) = t57 - signed_upper_position_z * OWN(signed_S_reaction_fy);
     OWN(S_reaction_my) = t56 - signed_upper_position_z * signed_S_reaction_fx;
-    const LIMB4 t20 = signed_lower_rotation_yy * minus_upper_sent_fy,
-      t33 = signed_lower_rotation_yy * OWN(signed_upper_rate_my_2),
+    const LIMB4 upper_sent_fy = GIVEN(minus_S_multiplier_fy) - OWN(minus_upper_rate_fy),
+      t20 = signed_lower_rotation_yy * upper_sent_fy, t33 = signed_lower_rotation_yy * OWN(signed_upper_rate_my_2),
       signed_upper_sent_fz = OWN(signed_upper_rate_fz) - GIVEN(signed_S_multiplier_fz),
-      signed_P_reaction_fy = U_0_cos * signed_upper_sent_fz + t20;
-    WRITE4(reactions, 7, 24, 43, 60, -sign2 * signed_P_reaction_fy);
+      signed_P_reaction_fy = t20 - U_0_cos * signed_upper_sent_fz;
+    WRITE4(reactions, 7, 24, 43, 60, sign1 * signed_P_reaction_fy);
     const LIMB4 t38 = signed_upper_position_x * signed_P_reaction_fy,
-      t23 = signed_upper_position_z * signed_P_reaction_fy, signed_P_reaction_fx = t67 * minus_upper_sent_fy;
-    WRITE4(reactions, 6, 25, 42, 61, -sign2 * signed_P_reaction_fx);
-    const LIMB4 t30 = signed_upper_position_z * signed_P_reaction_fx,
+      t23 = signed_upper_position_z * signed_P_reaction_fy, signed_P_reaction_fx = t66 * upper_sent_fy;
+    WRITE4(reactions, 6, 25, 42, 61, sign1 * signed_P_reaction_fx);
+    const LIMB4 t29 = signed_upper_position_z * signed_P_reaction_fx,
       t39 = signed_upper_position_y * signed_P_reaction_fx + t38,
-      t41 = signed_lower_rotation_zy * OWN(signed_upper_rate_my_2),
-      t22 = signed_lower_rotation_zy * minus_upper_sent_fy,
-      lower_sent_fy = OWN(lower_rate_fy_2) - minus_upper_sent_fy, t68 = sign2 * GIVEN(upper_rate_mx_2),
-      signed_P_reaction_mz = t39 + (signed_U_0_sin * GIVEN(minus_upper_rate_mz_2) - (t41 +
+      t41 = signed_lower_rotation_zy * OWN(signed_upper_rate_my_2), t22 = signed_lower_rotation_zy * upper_sent_fy,
+      lower_sent_fy = OWN(lower_rate_fy_2) + upper_sent_fy, t68 = sign1 * GIVEN(upper_rate_mx_2),
+      signed_P_reaction_mz = t39 - (signed_U_0_sin * GIVEN(minus_upper_rate_mz_2) - (t41 +
           OWN(signed_lower_rotation_zx) * t68));
-    WRITE4(reactions, 11, 29, 47, 65, -sign4 * signed_P_reaction_mz);
+    WRITE4(reactions, 11, 29, 47, 65, sign4 * signed_P_reaction_mz);
     LIMB4 checked = OWN(checked) + signed_P_reaction_mz;
-    const LIMB4 signed_P_reaction_fz = signed_U_0_sin * signed_upper_sent_fz - t22;
+    const LIMB4 signed_P_reaction_fz = signed_U_0_sin * signed_upper_sent_fz + t22;
     WRITE4(reactions, 8, 26, 44, 62, -sign3 * signed_P_reaction_fz);
-    const LIMB4 t31 = signed_upper_position_x * signed_P_reaction_fz - t30,
-      t25 = t23 + signed_upper_position_y * signed_P_reaction_fz, t27 = signed_lower_sin * t68,
+    const LIMB4 t31 = t29 + signed_upper_position_x * signed_P_reaction_fz,
+      t25 = t23 - signed_upper_position_y * signed_P_reaction_fz, t27 = signed_lower_sin * t68,
       P_reaction_my = t31 - (U_0_cos * GIVEN(minus_upper_rate_mz_2) + (t33 + OWN(signed_lower_rotation_yx) * t68));
     WRITE4(reactions, 10, 27, 46, 63, P_reaction_my);
     checked = checked + P_reaction_my;
-    const LIMB4 P_reaction_mx = t25 + (t27 - t67 * OWN(signed_upper_rate_my_2));
+    const LIMB4 P_reaction_mx = t27 - t66 * OWN(signed_upper_rate_my_2) - t25;
     WRITE4(reactions, 9, 28, 45, 64, P_reaction_mx);
     checked = checked + P_reaction_mx;
     /* each limb: balance, eqs. (40)-(47); reactions, eq. (32) */
-    const LIMB4 t1 = t67 * lower_sent_fy,
-      signed_lower_joint_sent_fx = t67 * OWN(lower_sent_fx) - signed_lower_sin * lower_sent_fy,
-      t5 = signed_U_0_sin * signed_lower_joint_sent_fx, t7 = U_0_cos * signed_lower_joint_sent_fx,
+    const LIMB4 signed_lower_sent_my = OWN(upper_offset_x) * signed_upper_sent_fz - OWN(signed_upper_rate_my_2) -
+        OWN(signed_lower_rate_my_2),
       signed_lower_sent_fz = OWN(signed_lower_rate_fz_2) - signed_upper_sent_fz,
-      signed_lower_sent_my = OWN(upper_offset_x) * signed_upper_sent_fz - OWN(signed_upper_rate_my_2) -
-          OWN(signed_lower_rate_my_2),
-      signed_U_0_joint_sent_fx = t5 - U_0_cos * signed_lower_sent_fz;
-    WRITE4(reactions, 1, 18, 37, 54, -sign2 * signed_U_0_joint_sent_fx);
-    const LIMB4 t18 = param_R * signed_U_0_joint_sent_fx,
-      signed_U_0_joint_sent_fy = t7 + signed_U_0_sin * signed_lower_sent_fz;
-    WRITE4(reactions, 2, 20, 38, 56, sign3 * signed_U_0_joint_sent_fy);
-    const LIMB4 t13 = param_R * signed_U_0_joint_sent_fy, t14 = signed_lower_sin * signed_lower_sent_my,
-      t12 = t67 * signed_lower_sent_my, signed_lower_sent_mx = factor_2 * GIVEN(upper_rate_mx),
-      minus_lower_joint_sent_mx = t14 + t67 * signed_lower_sent_mx,
+      t15 = signed_lower_sin * signed_lower_sent_my, t12 = t66 * signed_lower_sent_my,
+      signed_lower_sent_mx = factor_2 * GIVEN(upper_rate_mx),
+      minus_lower_joint_sent_mx = t66 * signed_lower_sent_mx + t15,
       lower_joint_sent_my = t12 - signed_lower_sin * signed_lower_sent_mx;
     WRITE4(reactions, 3, 22, 39, 58, lower_joint_sent_my);
     checked = checked + lower_joint_sent_my;
-    const LIMB4 signed_U_reaction_mz = U_0_cos * minus_lower_joint_sent_mx - t18;
-    WRITE4(reactions, 5, 23, 41, 59, -sign4 * signed_U_reaction_mz);
+    const LIMB4 t67 = sign2 * (U_0_cos * minus_lower_joint_sent_mx), t16 = signed_U_0_sin *
+        minus_lower_joint_sent_mx,
+      t1 = t66 * lower_sent_fy,
+      signed_lower_joint_sent_fx = t66 * OWN(minus_lower_sent_fx) + signed_lower_sin * lower_sent_fy,
+      t7 = U_0_cos * signed_lower_joint_sent_fx,
+      signed_U_0_joint_sent_fx = signed_U_0_sin * signed_lower_joint_sent_fx + U_0_cos * signed_lower_sent_fz;
+    WRITE4(reactions, 1, 18, 37, 54, sign1 * signed_U_0_joint_sent_fx);
+    const LIMB4 signed_U_reaction_mz = each_param_R * signed_U_0_joint_sent_fx - t67;
+    WRITE4(reactions, 5, 23, 41, 59, sign5 * signed_U_reaction_mz);
     checked = checked + signed_U_reaction_mz;
-    const LIMB4 U_reaction_my = t13 + signed_U_0_sin * minus_lower_joint_sent_mx;
+    const LIMB4 signed_U_0_joint_sent_fy = t7 - signed_U_0_sin * signed_lower_sent_fz;
+    WRITE4(reactions, 2, 20, 38, 56, -sign3 * signed_U_0_joint_sent_fy);
+    const LIMB4 U_reaction_my = (-param_R) * signed_U_0_joint_sent_fy + t16;
     WRITE4(reactions, 4, 21, 40, 57, U_reaction_my);
     checked = checked + U_reaction_my;
-    const LIMB4 signed_lower_joint_sent_fy = t1 + signed_lower_sin * OWN(lower_sent_fx);
-    WRITE4(reactions, 0, 19, 36, 55, sign2 * signed_lower_joint_sent_fy);
+    const LIMB4 signed_lower_joint_sent_fy = t1 - signed_lower_sin * OWN(minus_lower_sent_fx);
+    WRITE4(reactions, 0, 19, 36, 55, sign1 * signed_lower_joint_sent_fy);
     checked = checked + signed_lower_joint_sent_fy;
     OWN(checked) = checked;
 }
@@ -285,12 +284,12 @@ BODY(three_ups_upu_s_joint_reactions)(size_t stride, const double *restrict q, c
       minus_platform_moment_x = gravity_z_platform_mz * platform_turn_zy,
       platform_U_still_yz = limb5_S_v_wy * limb5_S_v_wz, limb5_S_a_wx = READ(a, 12),
       minus_platform_rate_fy = platform_mz * (limb5_S_a_wx - platform_U_still_yz),
-      minus_platform_rate_mx = minus_platform_moment_x - (k12 * platform_U_still_yz + k13 * limb5_S_a_wx),
+      minus_platform_rate_mx = minus_platform_moment_x - (k13 * platform_U_still_yz + k14 * limb5_S_a_wx),
       platform_turn_zx = t43 - t44, platform_turn_xz = t43 + t44, limb5_S_v_wx = READ(v, 12),
       t48 = platform_turn_zx * minus_platform_rate_mx, platform_moment_y = gravity_z_platform_mz * platform_turn_zx,
       platform_U_still_xz = limb5_S_v_wx * limb5_S_v_wz, limb5_S_a_wy = READ(a, 13),
       platform_rate_fx = platform_mz * (limb5_S_a_wy + platform_U_still_xz),
-      platform_rate_my = platform_moment_y - (k12 * platform_U_still_xz - k13 * limb5_S_a_wy);
+      platform_rate_my = platform_moment_y - (k13 * platform_U_still_xz - k14 * limb5_S_a_wy);
     /* platform: balance, eqs. (40)-(47); momentum rate, eq. (35); drives */
     const REAL t53 = t48 - platform_turn_zy * platform_rate_my, platform_rate_mz = platform_Izz * READ(a, 14),
       minus_platform_joint_force_mz = limbs.t4[3] - (limbs.t4[2] - (limbs.t4[1] + (t53 - platform_turn_zz *
@@ -309,35 +308,28 @@ BODY(three_ups_upu_s_joint_reactions)(size_t stride, const double *restrict q, c
       t90 = (minus_drives_share_0_1 * limb5_S_balance_wx - drives_share_0_0 * minus_limb5_S_balance_wy) * t89,
       t94 = t89 * t93;
     const EACH4 given = {t90, t94, t90, t94}, given_2 = {t94, t90, t94, t90};
-    FIRST_LIMB(0, joint_reactions, 2, stride, u, given, given_2, limb1_U_factor_1_by_3, minus_limb1_U_factor_0_by_3,
-        &limbs);
-    NEXT_LIMB(1, joint_reactions, 2, stride, u, given, given_2, limb1_U_factor_1_by_3, minus_limb1_U_factor_0_by_3,
-        &limbs);
-    NEXT_LIMB(2, joint_reactions, 2, stride, u, given, given_2, limb1_U_factor_1_by_3, minus_limb1_U_factor_0_by_3,
-        &limbs);
-    NEXT_LIMB(3, joint_reactions, 2, stride, u, given, given_2, limb1_U_factor_1_by_3, minus_limb1_U_factor_0_by_3,
-        &limbs);
-    const REAL t97 = limbs.t9[1] + (limbs.t9[0] - (limbs.minus_S_multiplier_fy[0] + limb1_U_factor_1_by_3 *
-        limb1_U2_part_mn)); /* limb1 */
-    const EACH4 signed_S_multiplier_fy = {limbs.t9[3] + (limbs.t9[2] + t97), limbs.minus_S_multiplier_fy[1],
-        limbs.minus_S_multiplier_fy[2], limbs.minus_S_multiplier_fy[3]};
-    const REAL t99 = minus_limb1_U_factor_0_by_3 * limb1_U2_part_mn, /* limb1 */
-      minus_limb1_U2_multiplier_mn = limbs.t11[3] + (limbs.t11[2] + (limbs.t11[1] - (limb1_U2_part_mn -
-          limbs.t11[0]))),
+    FIRST_LIMB(0, joint_reactions, 2, stride, u, given, given_2, &limbs);
+    NEXT_LIMB(1, joint_reactions, 2, stride, u, given, given_2, &limbs);
+    NEXT_LIMB(2, joint_reactions, 2, stride, u, given, given_2, &limbs);
+    NEXT_LIMB(3, joint_reactions, 2, stride, u, given, given_2, &limbs);
+    const REAL minus_limb1_U2_multiplier_mn = limbs.t9[3] + (limbs.t9[2] + (limbs.t9[1] - (limb1_U2_part_mn -
+        limbs.t9[0]))),
       limb1_U2_joint_reaction_mx = limb1_U2_constraint_mn_couple_x * minus_limb1_U2_multiplier_mn,
       limb1_U2_joint_reaction_mz = limb1_U2_constraint_mn_couple_z * minus_limb1_U2_multiplier_mn,
-      minus_limb1_U2_multiplier_fz = limbs.t10[3] + (limbs.t10[2] + (limbs.t10[1] + (limbs.t10[0] +
-          (limbs.signed_S_multiplier_fz[0] - t99))));
-    const EACH4 signed_S_multiplier_fz = {minus_limb1_U2_multiplier_fz, limbs.signed_S_multiplier_fz[1],
-        limbs.signed_S_multiplier_fz[2], limbs.signed_S_multiplier_fz[3]};
-    const REAL limb1_upper_sent_mx = limbs.upper_rate_mx[0] + limb1_U2_joint_reaction_mx;
+      limb1_upper_sent_mx = limbs.upper_rate_mx[0] + limb1_U2_joint_reaction_mx;
     const EACH4 upper_rate_mx = {limbs.upper_rate_mx[0] + limb1_upper_sent_mx, limbs.upper_rate_mx[1],
         limbs.upper_rate_mx[2], limbs.upper_rate_mx[3]},
       upper_rate_mx_2 = {limb1_upper_sent_mx, limbs.upper_rate_mx[1], limbs.upper_rate_mx[2],
-          limbs.upper_rate_mx[3]},
+          limbs.upper_rate_mx[3]};
+    const REAL t98 = limb1_U2_part_mn - (limbs.t9[0] + (limbs.t9[1] + (limbs.t9[3] + limbs.t9[2]))), /* limb1 */
+      t100 = minus_limb1_U_factor_0_by_3 * t98; /* limb1 */
+    const EACH4 minus_S_multiplier_fy = {limbs.minus_S_multiplier_fy[0] + limb1_U_factor_1_by_3 * t98,
+        limbs.minus_S_multiplier_fy[1], limbs.minus_S_multiplier_fy[2], limbs.minus_S_multiplier_fy[3]},
+      signed_S_multiplier_fz = {limbs.signed_S_multiplier_fz[0] - t100, limbs.signed_S_multiplier_fz[1],
+          limbs.signed_S_multiplier_fz[2], limbs.signed_S_multiplier_fz[3]},
       minus_upper_rate_mz_2 = {limbs.minus_upper_rate_mz_2[0] - limb1_U2_joint_reaction_mz,
           limbs.minus_upper_rate_mz_2[1], limbs.minus_upper_rate_mz_2[2], limbs.minus_upper_rate_mz_2[3]};
-    FIRST_LIMB(2, joint_reactions, 3, stride, reactions, sine, cosine, signed_S_multiplier_fy,
+    FIRST_LIMB(2, joint_reactions, 3, stride, reactions, sine, cosine, minus_S_multiplier_fy,
         signed_S_multiplier_fz, upper_rate_mx, upper_rate_mx_2, minus_upper_rate_mz_2, &limbs);
     WRITE(reactions, 51, limbs.S_reaction_my[2]);
     REAL checked2 = limbs.S_reaction_my[2];
@@ -345,8 +337,8 @@ BODY(three_ups_upu_s_joint_reactions)(size_t stride, const double *restrict q, c
     REAL checked3 = limbs.S_reaction_mx[2];
     checked0 = checked0 + limbs.signed_S_reaction_mz[2];
     checked1 = checked1 + ALONE(limbs.checked[2]);
-    NEXT_LIMB(1, joint_reactions, 3, stride, reactions, sine, cosine, signed_S_multiplier_fy,
-        signed_S_multiplier_fz, upper_rate_mx, upper_rate_mx_2, minus_upper_rate_mz_2, &limbs);
+    NEXT_LIMB(1, joint_reactions, 3, stride, reactions, sine, cosine, minus_S_multiplier_fy, signed_S_multiplier_fz,
+        upper_rate_mx, upper_rate_mx_2, minus_upper_rate_mz_2, &limbs);
     WRITE(reactions, 34, limbs.S_reaction_my[1]);
     checked2 = checked2 + limbs.S_reaction_my[1];
     WRITE(reactions, 33, limbs.S_reaction_mx[1]);
@@ -354,8 +346,8 @@ BODY(three_ups_upu_s_joint_reactions)(size_t stride, const double *restrict q, c
     WRITE(reactions, 35, limbs.signed_S_reaction_mz[1]);
     checked0 = checked0 + limbs.signed_S_reaction_mz[1];
     checked1 = checked1 + ALONE(limbs.checked[1]);
-    NEXT_LIMB(3, joint_reactions, 3, stride, reactions, sine, cosine, signed_S_multiplier_fy,
-        signed_S_multiplier_fz, upper_rate_mx, upper_rate_mx_2, minus_upper_rate_mz_2, &limbs);
+    NEXT_LIMB(3, joint_reactions, 3, stride, reactions, sine, cosine, minus_S_multiplier_fy, signed_S_multiplier_fz,
+        upper_rate_mx, upper_rate_mx_2, minus_upper_rate_mz_2, &limbs);
     WRITE(reactions, 70, limbs.S_reaction_my[3]);
     checked2 = checked2 + limbs.S_reaction_my[3];
     WRITE(reactions, 69, limbs.S_reaction_mx[3]);
@@ -363,33 +355,31 @@ BODY(three_ups_upu_s_joint_reactions)(size_t stride, const double *restrict q, c
     WRITE(reactions, 71, limbs.signed_S_reaction_mz[3]);
     checked0 = checked0 + limbs.signed_S_reaction_mz[3];
     checked1 = checked1 + ALONE(limbs.checked[3]);
-    NEXT_LIMB(0, joint_reactions, 3, stride, reactions, sine, cosine, signed_S_multiplier_fy,
-        signed_S_multiplier_fz, upper_rate_mx, upper_rate_mx_2, minus_upper_rate_mz_2, &limbs);
+    NEXT_LIMB(0, joint_reactions, 3, stride, reactions, sine, cosine, minus_S_multiplier_fy, signed_S_multiplier_fz,
+        upper_rate_mx, upper_rate_mx_2, minus_upper_rate_mz_2, &limbs);
     checked2 = checked2 + ALONE(limbs.checked[0]);
     WRITE(reactions, 53, -limbs.signed_S_reaction_mz[2]);
     const REAL platform_rate_fx_2 = platform_rate_fx + platform_m_gravity_z * platform_turn_zx,
-      t114 = platform_turn_xx * platform_rate_fx_2, t134 = platform_turn_zx * platform_rate_fx_2,
-      t126 = platform_turn_yx * platform_rate_fx_2,
+      t132 = platform_turn_zx * platform_rate_fx_2, t124 = platform_turn_yx * platform_rate_fx_2,
+      t112 = platform_turn_xx * platform_rate_fx_2,
       minus_platform_rate_fy_2 = minus_platform_rate_fy - platform_m_gravity_z * platform_turn_zy,
-      t117 = t114 - platform_turn_xy * minus_platform_rate_fy_2,
-      t136 = t134 - platform_turn_zy * minus_platform_rate_fy_2,
-      t128 = t126 - platform_turn_yy * minus_platform_rate_fy_2, t120 = platform_m_gravity_z * platform_turn_zz,
-      minus_platform_rate_fz_2 = platform_mz * (limb5_S_v_wx * limb5_S_v_wx + limb5_S_v_wy * limb5_S_v_wy) - t120,
-      t124 = limbs.t12[1] + (t117 - platform_turn_xz * minus_platform_rate_fz_2 + limbs.signed_S_reaction_fy[0]),
-      minus_platform_joint_sent_fx = limbs.t12[3] + (limbs.signed_S_reaction_fy[2] - t124);
-    checked3 = checked3 + minus_platform_joint_sent_fx;
-    WRITE(reactions, 72, -minus_platform_joint_sent_fx);
-    const REAL t130 = t128 - platform_turn_yz * minus_platform_rate_fz_2,
-      t141 = limbs.t13[2] + (limbs.t13[1] + (t136 - platform_turn_zz * minus_platform_rate_fz_2 - limbs.t13[0]));
-    RESULT(checked0, reactions, 74, t141 - limbs.t13[3]);
-    RESULT(checked1, reactions, 73, limbs.signed_S_reaction_fy[1] + (t130 + limbs.t12[0]) - limbs.t12[2] -
-        limbs.signed_S_reaction_fy[3]);
-    const REAL t110 = limb1_U_0_sin * limb1_U2_joint_reaction_mz, /* limb1 */
-      t107 = limb1_U_0_cos * limb1_U2_joint_reaction_mz; /* limb1 */
-    RESULT(checked2, reactions, 17, t110 + limbs.signed_lower_rotation_zx[0] * limb1_U2_joint_reaction_mx -
+      t134 = t132 - platform_turn_zy * minus_platform_rate_fy_2,
+      t126 = t124 - platform_turn_yy * minus_platform_rate_fy_2,
+      t115 = t112 - platform_turn_xy * minus_platform_rate_fy_2, t118 = platform_m_gravity_z * platform_turn_zz,
+      minus_platform_rate_fz_2 = platform_mz * (limb5_S_v_wx * limb5_S_v_wx + limb5_S_v_wy * limb5_S_v_wy) - t118,
+      t139 = t134 - platform_turn_zz * minus_platform_rate_fz_2 + limbs.t11[0] - limbs.t11[1] - limbs.t11[2];
+    RESULT(checked3, reactions, 74, t139 + limbs.t11[3]);
+    const REAL t120 = t115 - platform_turn_xz * minus_platform_rate_fz_2,
+      t130 = limbs.signed_S_reaction_fy[1] + (t126 - platform_turn_yz * minus_platform_rate_fz_2 - limbs.t10[0]);
+    RESULT(checked0, reactions, 73, limbs.t10[2] + t130 - limbs.signed_S_reaction_fy[3]);
+    RESULT(checked1, reactions, 72, limbs.t10[3] - (limbs.signed_S_reaction_fy[2] + (limbs.t10[1] - (t120 +
+        limbs.signed_S_reaction_fy[0]))));
+    const REAL t108 = limb1_U_0_sin * limb1_U2_joint_reaction_mz, /* limb1 */
+      t105 = limb1_U_0_cos * limb1_U2_joint_reaction_mz; /* limb1 */
+    RESULT(checked2, reactions, 17, t108 + limbs.signed_lower_rotation_zx[0] * limb1_U2_joint_reaction_mx -
         limbs.signed_S_reaction_mz[0]);
-    RESULT(checked3, reactions, 16, limbs.S_reaction_mx[0] + (t107 - limbs.signed_lower_rotation_yx[0] *
-        limb1_U2_joint_reaction_mx));
+    RESULT(checked3, reactions, 16, t105 - limbs.signed_lower_rotation_yx[0] * limb1_U2_joint_reaction_mx +
+        limbs.S_reaction_mx[0]);
     RESULT(checked0, reactions, 15, limb1_lower_sin * limb1_U2_joint_reaction_mx + limbs.S_reaction_my[0]);
     WRITE(reactions, 75, CONSTANT(0.0));
     WRITE(reactions, 76, CONSTANT(0.0));

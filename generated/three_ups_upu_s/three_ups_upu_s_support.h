@@ -146,8 +146,6 @@ THREE_UPS_UPU_S_UNUSED static const double
         limb3_upper, also Ixx of limb2_lower: 57/50 */
     limb_lower_Izz = 0.3317, /* [kg m^2] inertia, absolute axes, of limb1_lower, limb1_upper, limb2_lower,
         limb2_upper ...: 3317/10000 */
-    limb_lower_com_x = 0.725, /* [m] centre of mass, absolute axes, of limb1_lower, limb3_lower, also com_y of
-        limb2_lower: 29/40 */
     limb_lower_com_z = 0.12990381056766578, /* [m] centre of mass, absolute axes, of limb1_lower, limb2_lower,
         limb3_lower, limb4_lower: 3*sqrt(3)/40 */
     limb_lower_m = 1.42, /* [kg] mass of limb1_lower, limb2_lower, limb3_lower, limb4_lower ...: 71/50 */
@@ -158,10 +156,6 @@ THREE_UPS_UPU_S_UNUSED static const double
         atan2(0.5, sqrt(3)/2) */
     limb_lower_phase_2 = 2.6179938779914944, /* [rad] what is added to the coordinate of limb2_lower,
         limb4_lower: atan2(0.5, -(sqrt(3)/2)) */
-    limb_upper_com_x = 0.575, /* [m] centre of mass, absolute axes, of limb1_upper, limb3_upper, also com_y of
-        limb2_upper: 23/40 */
-    limb_upper_com_z = 0.3897114317029974, /* [m] centre of mass, absolute axes, of limb1_upper, limb2_upper,
-        limb3_upper, limb4_upper: 9*sqrt(3)/40 */
     limb_upper_phase = 0.3, /* [m] what is added to the coordinate of limb1_upper, limb2_upper, limb3_upper,
         limb4_upper: 3/10 */
     param_H = 0.5196152422706631, /* [m] height of the platform's centre E above O, also com_z of platform:
@@ -180,26 +174,29 @@ THREE_UPS_UPU_S_UNUSED static const double
         platform_Izz + platform_mz * param_H */
     k1 = 0.8660254037844386, /* sqrt(3)/2 */
     k2 = 1.5, /* [1] 0.5 * 3; also [m] value_param_r * 3 */
-    k3 = 0.1112, /* [kg m^2] 2 * limb_lower_szz + 2 * limb_lower_syy */
-    k4 = 2.3083, /* [kg m^2] 2 * limb_lower_sxx */
-    k5 = 0.0356, /* [kg m^2] 2 * limb_lower_syy */
-    k6 = 115.5249, /* [kg m^2] platform_Izz + platform_szz */
-    k7 = 0.426, /* [kg m] 2 * limb_lower_mx */
-    k8 = 2.2727, /* [kg m^2] 2 * limb_lower_sxx - 2 * limb_lower_syy */
-    k9 = 2.3439, /* [kg m^2] 2 * limb_lower_sxx + 2 * limb_lower_syy */
-    k10 = 0.0712, /* [kg m^2] 2 * 2 * limb_lower_syy */
-    k11 = 4.6166, /* [kg m^2] 2 * limb_lower_sxx - 2 * limb_lower_syy + 2 * limb_lower_sxx + 2 * limb_lower_syy */
-    k12 = 22.6251, /* [kg m^2] platform_sxx - platform_szz */
-    k13 = 69.4749, /* [kg m^2] platform_sxx + platform_szz */
-    k14 = 0.0556, /* (0.44195 - 0.41415) * 0.5 + (0.2872606264352983 - 0.2391096139848835) * (sqrt(3)/2) */
-    k15 = 0.02, /* [kg m^2] limb_lower_szz - limb_lower_syy */
-    k16 = 1.19195, /* [kg m^2] limb_lower_szz + limb_lower_sxx */
-    k17 = 1.11635, /* [kg m^2] limb_lower_sxx - limb_lower_szz */
-    k18 = 1.17195, /* [kg m^2] limb_lower_sxx + limb_lower_syy */
-    k19 = 1.13635, /* [kg m^2] limb_lower_sxx - limb_lower_syy */
-    k20 = 1.136; /* [kg m] limb_lower_m * param_R */
+    k3 = 0.075, /* [m] param_R - limb_lower_com_x */
+    k4 = 0.1112, /* [kg m^2] 2 * limb_lower_szz + 2 * limb_lower_syy */
+    k5 = 2.3083, /* [kg m^2] 2 * limb_lower_sxx */
+    k6 = 0.0356, /* [kg m^2] 2 * limb_lower_syy */
+    k7 = 115.5249, /* [kg m^2] platform_Izz + platform_szz */
+    k8 = 0.426, /* [kg m] 2 * limb_lower_mx */
+    k9 = 2.2727, /* [kg m^2] 2 * limb_lower_sxx - 2 * limb_lower_syy */
+    k10 = 2.3439, /* [kg m^2] 2 * limb_lower_sxx + 2 * limb_lower_syy */
+    k11 = 0.0712, /* [kg m^2] 2 * 2 * limb_lower_syy */
+    k12 = 4.6166, /* [kg m^2] 2 * limb_lower_sxx - 2 * limb_lower_syy + 2 * limb_lower_sxx + 2 * limb_lower_syy */
+    k13 = 22.6251, /* [kg m^2] platform_sxx - platform_szz */
+    k14 = 69.4749, /* [kg m^2] platform_sxx + platform_szz */
+    k15 = 0.0556, /* (0.44195 - 0.41415) * 0.5 + (0.2872606264352983 - 0.2391096139848835) * (sqrt(3)/2) */
+    k16 = 0.02, /* [kg m^2] limb_lower_szz - limb_lower_syy */
+    k17 = 1.19195, /* [kg m^2] limb_lower_szz + limb_lower_sxx */
+    k18 = 1.11635, /* [kg m^2] limb_lower_sxx - limb_lower_szz */
+    k19 = 1.17195, /* [kg m^2] limb_lower_sxx + limb_lower_syy */
+    k20 = 1.13635, /* [kg m^2] limb_lower_sxx - limb_lower_syy */
+    k21 = 1.136; /* [kg m] limb_lower_m * param_R */
 /* They are made of these, too, which no statement reads:
    limb_P_at_x = 0.65 [m] point, absolute axes, of limb1_P, limb3_P, also at_y of limb2_P: 13/20
+   limb_lower_com_x = 0.725 [m] centre of mass, absolute axes, of limb1_lower, limb3_lower, also com_y of
+       limb2_lower: 29/40
    limb_lower_sxx = 1.15415 [kg m^2] second moment (sum of m r r), link axes, of limb1_lower, limb2_lower,
        limb3_lower, limb4_lower ...: 2.3556 * 0.5 - (0.0139 + 0.0417) + limb_lower_mx * (param_R - limb_P_at_x)
    limb_lower_syy = 0.0178 [kg m^2] second moment (sum of m r r), link axes, of limb1_lower, limb2_lower,
