@@ -24,6 +24,8 @@ CONSTANT = ("", 0)
 """Key of what a coupling's sum is, beside those of its coordinates."""
 KEPT = ("R", "P", "fixed")
 """Types of joints that every format has; others come back as chains of them where a format lacks them."""
+TURNED_ROUND = (*KEPT, "H")
+"""Types whose axis comes back the other way round where the tree comes to the joint from its child."""
 
 Array = NDArray[np.float64]
 
@@ -126,7 +128,7 @@ def _joint(a: NumericMechanism, b: NumericMechanism, one: Joint, other: Joint) -
     i, j = a.joints.index(one.name), b.joints.index(one.name)
     if _apart(a.points[i], b.points[j], a.length):
         return f"its point was {a.points[i]}, came back as {b.points[j]}"
-    turned = 1 if one.parent == other.parent or one.type not in (*KEPT, "H") else -1
+    turned = 1 if one.parent == other.parent or one.type not in TURNED_ROUND else -1
     axes = (a.axes[a.freedoms[i]], turned * b.axes[b.freedoms[j]])
     if axes[0].shape != axes[1].shape or _apart(*axes, 1.0):
         return f"its axes were {axes[0]}, came back as {axes[1]}"

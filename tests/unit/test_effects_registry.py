@@ -296,7 +296,7 @@ COUNTS = [  # operations that an effect on the driven joint adds to inverse dyna
     (effect("DryFriction", "crank_R", 2, velocity="0.1"), 5),  # + 2 (v / sqrt(v^2 + v0^2)); v^2 is there already
     (effect("JointSpring", "crank_R", 5), 2),
     (effect("JointSpring", "crank_R", 5, preload=2), 3),
-    (effect("RotorInertia", "crank_R", 2), 2),
+    (effect("RotorInertia", "crank_R", 2), 0),  # another constant: what the crank's own inertia is multiplied by
     (effect("DcMotor", "crank_R", 2, 1, 1), 3),  # - k i; the voltage, which no drive depends on, is tested for NaN
     (effect("Payload", "rod", 1, ROD), 0),  # other constants, nothing more
 ]

@@ -178,7 +178,7 @@ def _counted(
     numbers, total, primes = random.Random(SEED), 0, 0
     sums: set[int] = set()
     for prime, roots in places_modulo([g.modulus for g in closure.field.generators], 0, most):
-        answer = algebra_answer(_script(closure, chosen, prime, roots, numbers), SECONDS)
+        answer = algebra_answer(_script(closure, chosen, prime, roots, numbers=numbers), SECONDS)
         degrees = [int(d) for d in re.findall(r"^@degree (\d+)$", answer[0], re.MULTILINE)] if answer else []
         if answer is None or not answer[1] or not degrees or (total and sum(degrees) != total):
             return None
@@ -190,7 +190,7 @@ def _counted(
 
 
 def _script(
-    closure: ClosureEquations, chosen: Sequence[int], prime: int, roots: Sequence[int], numbers: random.Random
+    closure: ClosureEquations, chosen: Sequence[int], prime: int, roots: Sequence[int], *, numbers: random.Random
 ) -> str:
     """Poses over a place without those at which an excluded polynomial vanishes, told from each other by a form u."""
     names = [f"v{k + 1}" for k in range(len(closure.variables))]
