@@ -79,7 +79,7 @@ def test_on_the_mode_both_are_equal(name: str) -> None:
 @pytest.mark.slow
 def test_the_mode_takes_a_part_of_the_operations_of_a_delta() -> None:
     general, alone = models("delta")
-    shares = {"inverse_dynamics": 0.3, "velocity": 0.3, "acceleration": 0.33, "forward_dynamics": 0.3}
+    shares = dict.fromkeys(("inverse_dynamics", "velocity", "acceleration", "forward_dynamics"), 1 / 3)
     limits = recorded("one mode", "delta")
     for name, share in shares.items():
         assert alone.programs[name].operations["total"] <= limits[name]
