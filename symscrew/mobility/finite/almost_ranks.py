@@ -21,6 +21,8 @@ from symscrew.mobility.screw_systems import Real, Row, eliminate
 NEAR = 1e-4
 """Relative singular values below this, which are not zero, are looked at: numbers of six digits leave 1e-6 of what
 vanishes as meant. Above it nothing is said, and nothing is concluded."""
+LEAST = 1e-17
+"""What relative singular values below a tenth of the rounding of doubles count as: none is told from another."""
 CLEAR = 1e-13
 """Relative singular values above this are not zero, which doubles tell; below it elimination in 60 digits does."""
 
@@ -113,18 +115,32 @@ def rank_claims(network: Network, body: str, limbs: Iterable[Sequence[str]]) -> 
     return tuple(claims)
 
 
-def low_ranks(network: Network, claims: Iterable[RankClaim], centre: Array) -> tuple[LowRank, ...]:
-    """The claims that do not have full rank, counting relative singular values above `NEAR` only."""
+def low_ranks(
+    network: Network, claims: Iterable[RankClaim], centre: Array, near: float = NEAR
+) -> tuple[LowRank, ...]:
+    """The claims that do not have full rank, counting relative singular values above `near` only."""
     found = []
     for claim in claims:
         matrix = claim.matrix(network, centre)
         values = np.linalg.svd(matrix.astype(float), compute_uv=False)
-        kept = int((values > NEAR * values.max(initial=0.0)).sum())  # of no freedoms at all none
+        kept = int((values > near * values.max(initial=0.0)).sum())  # of no freedoms at all none
         if kept and kept < min(matrix.shape):
             clear = bool(values[kept] > CLEAR * values[0])
             almost = clear or eliminate(matrix.tolist(), matrix.shape[1]).rank > kept
             found.append(LowRank(claim, kept, float(values[kept]), almost))
     return tuple(found)
+
+
+def nearer(network: Network, claims: Iterable[RankClaim], centre: Array, near: float) -> float | None:
+    """The threshold in the widest gap among the closure's relative singular values below `near`; None where none is."""
+    for claim in claims:
+        if claim.name == "closure":
+            values = np.linalg.svd(claim.matrix(network, centre).astype(float), compute_uv=False)
+            small = np.maximum(values[values < near * values[0]] / values[0], LEAST)
+            gaps = small[:-1] / small[1:]
+            if len(gaps) and gaps.max() > 1.0:
+                return float(np.sqrt(small[gaps.argmax()] * small[gaps.argmax() + 1]))
+    return None
 
 
 def _about_centre(screw: Sequence[Real], centre: Array) -> Row:

@@ -25,6 +25,9 @@ PLACE = -1
 """Slot of a joint's place; the others are its pitch's, and the numbers of its axes."""
 PITCH = -2
 """Slot of a screw joint's pitch."""
+PITCH_CHANGE = 0.1
+"""Of a pitch: far more than rounding of files does to it (0.0001 m/rad in six decimals is off by half a hundredth), and
+far less than the whole, without which a fine screw is a hinge."""
 Slots = Mapping[str, tuple[int, ...]]
 
 
@@ -85,6 +88,16 @@ def sizes(before: Network, after: Network) -> tuple[tuple[str, float], ...]:
                 size = max(size, abs(edge.pitch(column) - other.pitch(column)))
         found.append((name, float(size)))
     return tuple(sorted(found, key=lambda pair: -pair[1]))
+
+
+def loses_a_pitch(before: Network, after: Network) -> bool:
+    """Whether a screw joint's pitch has changed by more than `PITCH_CHANGE` of itself: it is another joint then."""
+    return any(
+        abs(after.edges[name].pitch(column) - edge.pitch(column)) > PITCH_CHANGE * abs(edge.pitch(column))
+        for name, edge in before.edges.items()
+        for motion, column in edge.motions
+        if motion.helical
+    )
 
 
 def screw_rates(network: Network, slots: Slots, centre: Array) -> Array:

@@ -20,11 +20,11 @@ from functools import partial
 import numpy as np
 
 from symscrew.mobility.finite.aligned_axes import aligned, turned_together
-from symscrew.mobility.finite.almost_ranks import NEAR, LowRank, RankClaim, low_ranks
+from symscrew.mobility.finite.almost_ranks import NEAR, LowRank, RankClaim, low_ranks, nearer
 from symscrew.mobility.finite.branches import zeros_nearby
 from symscrew.mobility.finite.double_zeros import double_directions, vertex
 from symscrew.mobility.finite.geometry_search import Search
-from symscrew.mobility.finite.joint_changes import sizes
+from symscrew.mobility.finite.joint_changes import loses_a_pitch, sizes
 from symscrew.mobility.finite.local_solutions import (
     CLOSED,
     Local,
@@ -147,6 +147,10 @@ class GivenUpError(ArithmeticError):
     """The search for special geometry has taken too long."""
 
 
+class OtherJointsError(ArithmeticError):
+    """What the search has come to has hinges or other screws where screws were typed."""
+
+
 def search_special(network: Network, claims: Sequence[RankClaim], *, moves: bool) -> tuple[NearGeometry, ...] | str:
     """`nearest_special`, or why it was given up, in words."""
     try:
@@ -164,8 +168,19 @@ def nearest_special(network: Network, claims: Sequence[RankClaim], *, moves: boo
     Raises:
         GivenUpError: a search took too long, so that none is known.
     """
+    near: float | None = NEAR
+    while near is not None:
+        try:
+            return _nearest(network, claims, near, moves=moves)
+        except OtherJointsError:  # fine pitches are no rounding: what is smaller than they is looked at
+            near = nearer(network, claims, np.array(ClosureVariety(network).centre, dtype=object), near)
+    return ()
+
+
+def _nearest(network: Network, claims: Sequence[RankClaim], near: float, *, moves: bool) -> tuple[NearGeometry, ...]:
+    """`nearest_special` with relative singular values below `near` counted as what almost vanishes."""
     coarse = ClosureVariety(network)
-    low = low_ranks(network, claims, np.array(coarse.centre, dtype=object))
+    low = low_ranks(network, claims, np.array(coarse.centre, dtype=object), near)
     almost = [one for one in low if one.almost]
     if not network.chords or (moves and not almost):
         return ()
@@ -175,7 +190,7 @@ def nearest_special(network: Network, claims: Sequence[RankClaim], *, moves: boo
     points: list[tuple[Array, int]] = []
     astray = False
     if closure is not None:
-        off = CLOSES * noise if almost else NEAR
+        off = CLOSES * noise if almost else near
         here = local_at(coarse, np.zeros(coarse.columns), rank=closure.rank)
         if not almost and _astray_at_once(network, coarse, here, ranks, off=off):
             found = _by_alignment(network, low, noise)
@@ -196,7 +211,7 @@ def nearest_special(network: Network, claims: Sequence[RankClaim], *, moves: boo
                 alone = _Approach(network, [], ranks, noise=noise).found(twice=True)
                 return () if alone is None else (replace(alone, stalled=True),)
         close = min(off, max(ALMOST_ZERO * noise, ROUNDED_ZERO))
-        kinds = zeros_nearby(coarse, here, quadratic_forms(coarse, here), off=close, kind=partial(_rank, coarse))
+        kinds = zeros_nearby(coarse, here, quadratic_forms(coarse, here), off=close, kind=partial(_rank, coarse, near))
         points = _open(network, coarse, [(zero, rank) for rank, zeros in kinds.items() for zero in zeros])
     moving = _through(network, points, ranks, noise)
     alone = _Approach(network, [], ranks, noise=noise).found(twice=True) if almost else None
@@ -284,9 +299,9 @@ def _open(network: Network, coarse: ClosureVariety, points: Sequence[tuple[Array
     return [(q, rank) for q, rank in points if refine(coarse, fine, q, rank)[1] > CLOSED]
 
 
-def _rank(coarse: ClosureVariety, q: Array) -> int:
+def _rank(coarse: ClosureVariety, near: float, q: Array) -> int:
     values = np.linalg.svd(coarse.slopes(q[None])[0], compute_uv=False)
-    return int((values > NEAR * values[0]).sum())
+    return int((values > near * values[0]).sum())
 
 
 def _through(
@@ -367,6 +382,8 @@ class _Approach:
 def _between(network: Network, after: Network, *, moves: bool) -> NearGeometry | None:
     changes = sizes(network, after)
     distance = max(size for _, size in changes)
+    if loses_a_pitch(network, after):
+        raise OtherJointsError
     return NearGeometry(after, distance, changes, moves) if distance < FARTHEST else None
 
 
