@@ -33,9 +33,9 @@ def main() -> None:
     (expected, *_), _ = model("velocity", q, y_dot)
     assert np.allclose(compiled.velocity(q, y_dot, check=False)[0], expected, equal_nan=True, atol=1e-12)
     assert symscrew.analyse_mobility(mechanism).report()
-    from symscrew.display import write_page
+    from symscrew.display import make_page
 
-    page = write_page(model, Path("page.html")).read_text(encoding="utf-8")
+    page = make_page(model)
     assert "three.js authors" in page  # the licence goes with the library
     command = [str(Path(sys.prefix) / "bin" / "symscrew")]
     listed = subprocess.run([*command, "list"], capture_output=True, text=True, check=True).stdout

@@ -338,8 +338,8 @@ BODY(four_bar_inverse_velocity)(size_t stride, const double *restrict pose, cons
 {
     (void)pose;
     /* rocker: geometry; balance, eqs. (40)-(47); reciprocal wrenches, eq. (10) */
-    const REAL minus_rocker_sin = SINES(sine, 0), t3 = D_at_x - k6 * minus_rocker_sin, rocker_cos = SINES(cosine,
-        0),
+    const REAL minus_rocker_sin = SINES(sine, 0), t3 = D_at_x - k6 * minus_rocker_sin, rocker_cos =
+        SINES(cosine, 0),
       t4 = t3 * t3, minus_rocker_joint_force_my_by_C_fz = k6 * rocker_cos,
       t5 = minus_rocker_joint_force_my_by_C_fz * minus_rocker_joint_force_my_by_C_fz + t4, t6 = t5 - k16,
       t9 = 0.5 * t6, t11 = k18 - t9 * t9, t12 = SQRT(t11), t14 = SELECT(0.0, -t12, t12);

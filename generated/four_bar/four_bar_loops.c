@@ -205,10 +205,9 @@ BODY(four_bar_close_position)(size_t stride, const double *restrict q, double *r
       minus_C_closure_fx_by_D = t10 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz;
     REAL checked0 = minus_C_closure_fx_by_D;
     const REAL C_closure_fy_by_D = t6 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz,
-      t12 = 1.0 / minus_C_closure_fx_by_D, t26 = C_opening_fx * t12, t41 = per_length * C_opening_fx, t42 = t41 *
-          t41,
-      t29 = 2.0 * (minus_C_opening_fy - C_closure_fy_by_D * t26), t43 = per_length * minus_C_opening_fy,
-      residual_residual = SQRT(t42 + t43 * t43);
+      t12 = 1.0 / minus_C_closure_fx_by_D, t26 = C_opening_fx * t12, t41 = per_length * C_opening_fx,
+      t42 = t41 * t41, t29 = 2.0 * (minus_C_opening_fy - C_closure_fy_by_D * t26),
+      t43 = per_length * minus_C_opening_fy, residual_residual = SQRT(t42 + t43 * t43);
     WRITE(residual_, 0, residual_residual);
     REAL checked1 = residual_residual;
     const REAL D_null_space_by_A = B_at_z * coupler_sin * t12,

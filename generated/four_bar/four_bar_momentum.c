@@ -147,9 +147,8 @@ BODY(four_bar_energy)(size_t stride, const double *restrict q, const double *res
 {
     (void)q;
     /* A: velocities, eq. (6) */
-    const REAL A_v = READ(v, 0), coupler_omega_z = A_v + READ(v, 1), coupler_cos = SINES(cosine, 1), D_v = READ(v,
-        2),
-      t1 = coupler_sxx * (coupler_omega_z * coupler_omega_z), /* coupler */
+    const REAL A_v = READ(v, 0), coupler_omega_z = A_v + READ(v, 1), coupler_cos = SINES(cosine, 1),
+      D_v = READ(v, 2), t1 = coupler_sxx * (coupler_omega_z * coupler_omega_z), /* coupler */
       t8 = A_v * (k8 * A_v + coupler_cos * (k9 * coupler_omega_z)), /* coupler */
       kinetic_energy = 0.5 * (t1 + (rocker_sxx * (D_v * D_v) + t8));
     WRITE(energy, 0, kinetic_energy);

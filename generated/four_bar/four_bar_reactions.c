@@ -43,8 +43,8 @@ BODY(four_bar_joint_reactions)(size_t stride, const double *restrict q, const do
       t33 = coupler_sin * minus_coupler_rate_fx - t3 + t12 - t32, /* A */
       t75 = t12 - t32, /* A */
       t34 = B_at_z * t33, /* A */
-      coupler_sent_fx = minus_C_multiplier_fx - minus_coupler_rate_fx_2, A_balance = k8 * A_a - k14 * crank_sin -
-          t34;
+      coupler_sent_fx = minus_C_multiplier_fx - minus_coupler_rate_fx_2,
+      A_balance = k8 * A_a - k14 * crank_sin - t34;
     WRITE(u, 0, A_balance);
     REAL checked1 = A_balance;
     const REAL t44 = coupler_sin * coupler_sent_fx, /* coupler */

@@ -348,8 +348,8 @@ STAGE(forward_dynamics_independent, 2)(size_t limb, size_t stride, const double 
       sign2 = OF4(1.0, -1.0, -1.0, 1.0), each_limb_lower_m = sign2 * limb_lower_m;
     const LIMB4 lower_cos = IN_EACH4(SINES, cosine, 1, 2);
     /* each limb: balance, eqs. (40)-(47); free motion; accelerations */
-    OWN(signed_U_0_moment_z) = lower_cos * (OWN(upper_offset_x) * (limb_lower_m_gravity_z * IN_EACH4(SINES, sine, 0,
-        2)));
+    OWN(signed_U_0_moment_z) = lower_cos * (OWN(upper_offset_x) * (limb_lower_m_gravity_z *
+        IN_EACH4(SINES, sine, 0, 2)));
     OWN(t14) = lower_cos * (lower_cos * OWN(t13));
     const LIMB4 signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
     OWN(signed_U_0_composite_second_yz) = signed_lower_sin * OWN(t7);
@@ -449,8 +449,8 @@ BODY(three_ups_upu_s_forward_dynamics_independent)(size_t stride, const double *
       limb5_S_null_space_wz_by_limb5_S_wy = t30 * t33;
     /* limb5_S: velocities, eq. (6); accelerations; geometry */
     const REAL t43 = limb5_S_q_qy * t35, t44 = t43 * limb5_S_null_space_wz_by_limb5_S_wy, t39 = limb5_S_q_qz * t35,
-      t46 = 0.5 * (t39 - t44), t40 = 0.5 * t39, limb5_S_y_dot_qx = READ(y_dot, 0), limb5_S_y_dot_qy = READ(y_dot,
-          1),
+      t46 = 0.5 * (t39 - t44), t40 = 0.5 * t39, limb5_S_y_dot_qx = READ(y_dot, 0), limb5_S_y_dot_qy =
+          READ(y_dot, 1),
       t47 = t40 * t46, t41 = t40 * limb5_S_y_dot_qx, t55 = limb5_S_y_dot_qy * t46, t48 = limb5_S_q_qx * t35,
       t36 = limb5_S_q_qw * t35, t51 = 0.5 * (t36 + t48 * limb5_S_null_space_wz_by_limb5_S_wy), t37 = 0.5 * t36,
       a_pivot = t47 + t37 * t51;
@@ -540,8 +540,8 @@ BODY(three_ups_upu_s_forward_dynamics_independent)(size_t stride, const double *
       t196 = limb5_S_null_space_wz_by_limb5_S_wy * (t195 - t182), t148 = k13 * platform_turn_yz,
       t170 = limbs.t10[0] - (limbs.t9[3] + (limbs.t9[1] + (platform_turn_zz * t148 - limbs.t10[2]))),
       t197 = t170 * minus_limb5_S_joint_acc_still_wz,
-      t179 = limb5_S_null_space_wz_by_limb5_S_wy * (t170 + (t170 - t176)), t210 = platform_turn_xy *
-          platform_rate_my,
+      t179 = limb5_S_null_space_wz_by_limb5_S_wy * (t170 + (t170 - t176)),
+      t210 = platform_turn_xy * platform_rate_my,
       t201 = platform_turn_yy * platform_rate_my - platform_turn_yx * minus_platform_rate_mx + limbs.t19[2],
       t205 = limbs.signed_U_handed_force_0[3] - (limbs.t18[2] - (t201 - limbs.t19[0]) -
           limbs.signed_U_handed_force_0[1]),
@@ -564,8 +564,8 @@ BODY(three_ups_upu_s_forward_dynamics_independent)(size_t stride, const double *
       t225 = limbs.U_mass_matrix_0_by_U_0[2] + (k14 + platform_turn_xz * (k13 * platform_turn_xz)) + limbs.t11[1],
       pivot_1 = limbs.U_mass_matrix_0_by_U_0[0] + (limbs.t11[3] + t225) - t227;
     checked3 = checked3 + pivot_1;
-    const REAL limb5_S_joint_acc_wx = t220 / pivot_1, minus_limb5_S_joint_acc_wy = t181 * limb5_S_joint_acc_wx +
-        t229,
+    const REAL limb5_S_joint_acc_wx = t220 / pivot_1,
+      minus_limb5_S_joint_acc_wy = t181 * limb5_S_joint_acc_wx + t229,
       minus_limb5_S_joint_acc_wz = minus_limb5_S_joint_acc_still_wz + limb5_S_null_space_wz_by_limb5_S_wy *
           minus_limb5_S_joint_acc_wy;
     /* limb5_S: results */
@@ -676,8 +676,8 @@ STAGE(forward_dynamics_reactions, 0)(size_t limb, size_t stride, const double *r
       t64 = minus_U_0_U_still_xx * U_0_composite_second_yz,
       t49 = U_v_0 * (U_v_1 * (2.0 * U_0_composite_second_yz) - t47);
     OWN(U_mass_matrix_0_by_U_0) = lower_cos * t4 + k4;
-    const LIMB4 t23 = U_v_1 * P_v, t66 = lower_moment_z + (t23 * t44 + t64), t24 = t22 + t23, t25 = U_v_1 *
-        lower_cos;
+    const LIMB4 t23 = U_v_1 * P_v, t66 = lower_moment_z + (t23 * t44 + t64), t24 = t22 + t23,
+      t25 = U_v_1 * lower_cos;
     OWN(t10) = t24 + OWN(t8) * (each_param_R_2 * t25 - P_v);
     const LIMB4 t34 = OWN(upper_offset_x) * t25;
     OWN(minus_U_0_lever_mz_by_S_fz) = lower_cos * OWN(upper_offset_x);
@@ -847,9 +847,9 @@ STAGE(forward_dynamics_reactions, 2)(size_t limb, size_t stride, const double *r
     const LIMB4 t19 = each_param_R_2 * U_0_joint_sent_fx,
       signed_U_0_joint_sent_fy = t7 + signed_U_0_sin * minus_lower_sent_fz;
     WRITE4(reactions, 2, 20, 38, 56, -sign3 * signed_U_0_joint_sent_fy);
-    const LIMB4 t14 = each_param_R * signed_U_0_joint_sent_fy, lower_sent_my = t11 - (OWN(upper_moment_y) +
-        OWN(t24)),
-      t15 = t67 * lower_sent_my, lower_joint_sent_my = lower_cos * lower_sent_my - t67 * minus_lower_sent_mx;
+    const LIMB4 t14 = each_param_R * signed_U_0_joint_sent_fy,
+      lower_sent_my = t11 - (OWN(upper_moment_y) + OWN(t24)), t15 = t67 * lower_sent_my,
+      lower_joint_sent_my = lower_cos * lower_sent_my - t67 * minus_lower_sent_mx;
     WRITE4(reactions, 3, 22, 39, 58, lower_joint_sent_my);
     checked = checked + lower_joint_sent_my;
     const LIMB4 minus_lower_joint_sent_mx = t15 + lower_cos * minus_lower_sent_mx,
@@ -935,9 +935,9 @@ BODY(three_ups_upu_s_forward_dynamics_reactions)(size_t stride, const double *re
       minus_platform_moment_x = gravity_z_platform_mz * platform_turn_zy,
       platform_U_still_yz = limb5_S_v_wy * limb5_S_v_wz, t120 = k13 * platform_U_still_yz,
       platform_rate_mx = t120 - minus_platform_moment_x, t121 = platform_turn_zx * platform_rate_mx,
-      platform_moment_y = gravity_z_platform_mz * platform_turn_zx, platform_U_still_xz = limb5_S_v_wx *
-          limb5_S_v_wz,
-      t122 = k13 * platform_U_still_xz, minus_platform_rate_my = t122 - platform_moment_y,
+      platform_moment_y = gravity_z_platform_mz * platform_turn_zx,
+      platform_U_still_xz = limb5_S_v_wx * limb5_S_v_wz, t122 = k13 * platform_U_still_xz,
+      minus_platform_rate_my = t122 - platform_moment_y,
       t127 = t121 - platform_turn_zy * minus_platform_rate_my + limbs.t16[2] - limbs.t16[1] - limbs.t16[3],
       limb5_S_handed_force_wz = t119 + (limbs.t13[0] + (limbs.t13[2] + (limbs.t16[0] + t127) - limbs.t13[1] -
           limbs.t13[3])),
@@ -1148,9 +1148,9 @@ STAGE(forward_dynamics_dense, 0)(size_t limb, size_t stride, const double *restr
       t9 = t8 + each_gravity_z * signed_U_0_sin;
     OWN(signed_lower_omega_y) = U_v_0 * t57;
     const LIMB4 lower_U_still_xy = OWN(signed_lower_omega_x) * OWN(signed_lower_omega_y),
-      P_v = IN_EACH4(READ, v, 2, 3), t7 = P_v * (2.0 * OWN(signed_lower_omega_y)), signed_upper_acc_still_z = t7 -
-          t9,
-      signed_upper_acc_still_z_2 = t8 - t7, signed_upper_rate_my = limb_lower_mx * signed_upper_acc_still_z,
+      P_v = IN_EACH4(READ, v, 2, 3), t7 = P_v * (2.0 * OWN(signed_lower_omega_y)),
+      signed_upper_acc_still_z = t7 - t9, signed_upper_acc_still_z_2 = t8 - t7,
+      signed_upper_rate_my = limb_lower_mx * signed_upper_acc_still_z,
       t11 = upper_offset_x * (k8 * signed_lower_alpha_still_y + limb_lower_m * signed_upper_acc_still_z) -
           signed_upper_rate_my,
       t14 = t57 * (each_gravity_z_limb_lower_mx * signed_U_0_sin + k12 * signed_lower_alpha_still_y - t11);
@@ -1245,9 +1245,9 @@ BODY(three_ups_upu_s_forward_dynamics_dense)(size_t stride, const double *restri
       minus_platform_rate_mx = gravity_z_platform_mz * platform_turn_zy - k13 * (limb5_S_v_wy * limb5_S_v_wz);
     WRITE(load_, 12, minus_platform_rate_mx);
     REAL checked0 = minus_platform_rate_mx;
-    const REAL t16 = limb5_S_q_qx * t10, t28 = limb5_S_q_qw * t10, t18 = limb5_S_q_qw * t17, t27 = limb5_S_q_qx *
-        t17,
-      platform_turn_zx = t16 - t18, platform_turn_xz = t16 + t18, limb5_S_v_wx = READ(v, 12),
+    const REAL t16 = limb5_S_q_qx * t10, t28 = limb5_S_q_qw * t10, t18 = limb5_S_q_qw * t17,
+      t27 = limb5_S_q_qx * t17, platform_turn_zx = t16 - t18, platform_turn_xz = t16 + t18,
+      limb5_S_v_wx = READ(v, 12),
       minus_platform_rate_my = k13 * (limb5_S_v_wx * limb5_S_v_wz) - gravity_z_platform_mz * platform_turn_zx;
     WRITE(load_, 13, minus_platform_rate_my);
     REAL checked1 = minus_platform_rate_my;
@@ -1590,8 +1590,8 @@ STAGE(forward_dynamics_reactions_wrenches, 0)(size_t limb, size_t stride, const 
       minus_lower_acc_y = t60 * U_0_acc_y, t4 = t3 - minus_lower_acc_y,
       lower_rate_fy_2 = lower_rate_fy - limb_lower_m * minus_lower_acc_y, lower_acc_x = lower_cos * U_0_acc_y,
       P_v = IN_EACH4(READ, v, 2, 3), upper_acc_y = P_v * (2.0 * U_v_1) + t4,
-      multipliers_1 = OF4(READ(multipliers_, 1), READ(multipliers_, 5), READ(multipliers_, 8), READ(multipliers_,
-          11));
+      multipliers_1 = OF4(READ(multipliers_, 1), READ(multipliers_, 5), READ(multipliers_, 8),
+          READ(multipliers_, 11));
     /* each limb: balance, eqs. (40)-(47); momentum rate, eq. (35); accelerations */
     OWN(upper_sent_fy) = limb_lower_m * upper_acc_y - lower_rate_fy - multipliers_1;
     WRITE4(sized_, 7, 25, 43, 61, OWN(upper_sent_fy));
@@ -1599,8 +1599,8 @@ STAGE(forward_dynamics_reactions_wrenches, 0)(size_t limb, size_t stride, const 
       minus_upper_rate_mz = limb_lower_mx * upper_acc_y, t5 = lower_cos * lower_sent_fy, t16 = t60 * lower_sent_fy,
       upper_acc_x = IN_EACH4(READ, a, 2, 3) + (lower_acc_x - upper_offset_x * (lower_omega_y * lower_omega_y + U_v_1
           * U_v_1)),
-      multipliers_0 = OF4(READ(multipliers_, 0), READ(multipliers_, 4), READ(multipliers_, 7), READ(multipliers_,
-          10)),
+      multipliers_0 = OF4(READ(multipliers_, 0), READ(multipliers_, 4), READ(multipliers_, 7),
+          READ(multipliers_, 10)),
       lower_sent_fx = limb_lower_m * (lower_acc_x + upper_acc_x) - multipliers_0,
       lower_joint_sent_fy = t5 + t60 * lower_sent_fx;
     WRITE4(reactions, 0, 19, 36, 55, lower_joint_sent_fy);
@@ -1659,9 +1659,8 @@ STAGE(forward_dynamics_reactions_wrenches, 0)(size_t limb, size_t stride, const 
     OWN(t15) = OWN(signed_lower_rotation_zx) * multipliers_0 - signed_lower_rotation_zy * multipliers_1;
     /* each limb: results */
     const LIMB4 t45 = limb_upper_phase * OWN(minus_lower_rotation_yx), t55 = lower_rotation_yy * t45,
-      t46 = OWN(minus_lower_rotation_yx) * t45, t43 = each_limb_upper_phase * signed_lower_sin, t47 = t60 * t43 -
-          t46,
-      t56 = lower_cos * t43 + t55, t48 = limb_upper_phase * OWN(signed_lower_rotation_zx);
+      t46 = OWN(minus_lower_rotation_yx) * t45, t43 = each_limb_upper_phase * signed_lower_sin,
+      t47 = t60 * t43 - t46, t56 = lower_cos * t43 + t55, t48 = limb_upper_phase * OWN(signed_lower_rotation_zx);
     OWN(t17) = upper_sent_fz * (t56 + signed_lower_rotation_zy * t48);
     OWN(t11) = OWN(signed_lower_rotation_zx) * t48 - t47;
     OWN(t19) = OWN(minus_upper_rate_my_2) + upper_sent_fz * OWN(t11);
@@ -1807,9 +1806,8 @@ BODY(three_ups_upu_s_forward_dynamics_reactions_wrenches)(size_t stride, const d
     const REAL limb1_upper_sent_mx = limbs.upper_rate_mx[0] - limbs.minus_U2_joint_reaction_mx[0],
       limb1_lower_sent_mx = limbs.upper_rate_mx[0] + limb1_upper_sent_mx, t16 = limbs.t9[0] - limbs.t10[0];
     /* limb5_S: geometry; results; accelerations */
-    const REAL t18 = limb5_S_q_qx * t17, t38 = limb5_S_q_qw * t17, t19 = limb5_S_q_qw * t12, t37 = limb5_S_q_qx *
-        t12,
-      platform_turn_xy = t18 - t19;
+    const REAL t18 = limb5_S_q_qx * t17, t38 = limb5_S_q_qw * t17, t19 = limb5_S_q_qw * t12,
+      t37 = limb5_S_q_qx * t12, platform_turn_xy = t18 - t19;
     FIRST_LIMB(0, forward_dynamics_reactions_wrenches, 2, stride, reactions, sine, cosine, limb1_lower_sent_mx,
         limb1_upper_sent_mx, t16, platform_turn_xy, &limbs);
     const REAL platform_turn_yx = t18 + t19;

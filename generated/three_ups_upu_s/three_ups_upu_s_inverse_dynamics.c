@@ -121,9 +121,8 @@ BODY(three_ups_upu_s_inverse_dynamics)(size_t stride, const double *restrict q, 
       t24 = limb1_U_0_sin * t23,
       t28 = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy);
     /* limb5_S: geometry; balance, eqs. (40)-(47); drives */
-    const REAL t30 = limb5_S_q_qx * t29, t51 = limb5_S_q_qw * t29, t31 = limb5_S_q_qw * t13, t50 = limb5_S_q_qx *
-        t13,
-      platform_turn_xy = t30 - t31, platform_turn_yx = t30 + t31,
+    const REAL t30 = limb5_S_q_qx * t29, t51 = limb5_S_q_qw * t29, t31 = limb5_S_q_qw * t13,
+      t50 = limb5_S_q_qx * t13, platform_turn_xy = t30 - t31, platform_turn_yx = t30 + t31,
       limb1_U2_constraint_mn_couple_z = t28 - limb1_lower_sin * platform_turn_xy,
       minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limbs.S_arm_x[0] *
           (limb1_U2_constraint_mn_couple_z * limbs.t2[0]),
@@ -584,8 +583,8 @@ BODY(three_ups_upu_s_inverse_dynamics_independent)(size_t stride, const double *
       t289 = minus_drives_share_0_1 * limb5_S_balance_wx,
       drives_share_0_0 = limbs.t5[3] + (limbs.t4[2] + (limbs.t5[1] + limbs.t4[0])),
       t301 = t289 - drives_share_0_0 * minus_limb5_S_balance_wy,
-      t303 = minus_drives_share_0_1 * minus_limb5_S_balance_wy, t43 = minus_drives_share_0_1 *
-          minus_drives_share_0_1,
+      t303 = minus_drives_share_0_1 * minus_limb5_S_balance_wy,
+      t43 = minus_drives_share_0_1 * minus_drives_share_0_1,
       drives_share_1_1 = limbs.t4[3] + (limbs.t5[2] + (limbs.t4[1] + limbs.t5[0])),
       minus_determinant = t43 - drives_share_1_1 * drives_share_0_0;
     REAL checked3 = minus_determinant;
@@ -722,9 +721,8 @@ BODY(three_ups_upu_s_inverse_dynamics_preload)(size_t stride, const double *rest
       t24 = limb1_U_0_sin * t23,
       t28 = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy);
     /* platform: geometry; balance, eqs. (40)-(47) */
-    const REAL t30 = limb5_S_q_qx * t29, t74 = limb5_S_q_qw * t29, t31 = limb5_S_q_qw * t13, t73 = limb5_S_q_qx *
-        t13,
-      platform_turn_xy = t30 - t31, platform_turn_yx = t30 + t31,
+    const REAL t30 = limb5_S_q_qx * t29, t74 = limb5_S_q_qw * t29, t31 = limb5_S_q_qw * t13,
+      t73 = limb5_S_q_qx * t13, platform_turn_xy = t30 - t31, platform_turn_yx = t30 + t31,
       limb1_U2_constraint_mn_couple_z = t28 - limb1_lower_sin * platform_turn_xy,
       minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limbs.S_arm_x[0] *
           (limb1_U2_constraint_mn_couple_z * limbs.t3[0]),
@@ -952,18 +950,17 @@ BODY(three_ups_upu_s_inverse_dynamics_platform)(size_t stride, const double *res
     LIMBS(inverse_dynamics_platform) limbs;
     /* limb5_S: geometry */
     const REAL limb5_S_pose_qw = READ(pose, 0), limb5_S_pose_qx = READ(pose, 1),
-      t1 = limb5_S_pose_qw * limb5_S_pose_qw, t2 = limb5_S_pose_qx * limb5_S_pose_qx, limb5_S_pose_qy = READ(pose,
-          2),
-      t3 = t1 + t2, t4 = limb5_S_pose_qy * limb5_S_pose_qy, limb5_S_pose_qz = READ(pose, 3),
-      t5 = limb5_S_pose_qz * limb5_S_pose_qz, t6 = t4 + t5, t7 = t3 + t6, t9 = 4.0 - 2.0 * t7, t28 = t2 + t5,
-      platform_turn_zz = 1.0 - t9 * (t2 + t4), platform_turn_xx = 1.0 - t6 * t9, platform_turn_yy = 1.0 - t9 * t28,
-      t10 = limb5_S_pose_qz * t9, t11 = limb5_S_pose_qx * t10, t12 = limb5_S_pose_qy * t9,
-      t26 = limb5_S_pose_qw * (limb5_S_pose_qx * t9), t13 = limb5_S_pose_qw * t12, t19 = limb5_S_pose_qx * t12,
-      platform_turn_zx = t11 - t13, platform_turn_xz = t11 + t13, t14 = 0.5 * platform_turn_zx,
-      t18 = param_H * platform_turn_xz, t20 = limb5_S_pose_qw * t10, t24 = limb5_S_pose_qy * t10,
-      platform_turn_yx = t19 + t20, platform_turn_xy = t19 - t20, t31 = 0.5 * platform_turn_yx,
-      platform_turn_yz = t24 - t26, platform_turn_zy = t24 + t26, t27 = param_H * platform_turn_yz,
-      t17 = param_H * platform_turn_zz, t23 = 0.5 * platform_turn_xx;
+      t1 = limb5_S_pose_qw * limb5_S_pose_qw, t2 = limb5_S_pose_qx * limb5_S_pose_qx,
+      limb5_S_pose_qy = READ(pose, 2), t3 = t1 + t2, t4 = limb5_S_pose_qy * limb5_S_pose_qy,
+      limb5_S_pose_qz = READ(pose, 3), t5 = limb5_S_pose_qz * limb5_S_pose_qz, t6 = t4 + t5, t7 = t3 + t6,
+      t9 = 4.0 - 2.0 * t7, t28 = t2 + t5, platform_turn_zz = 1.0 - t9 * (t2 + t4), platform_turn_xx = 1.0 - t6 * t9,
+      platform_turn_yy = 1.0 - t9 * t28, t10 = limb5_S_pose_qz * t9, t11 = limb5_S_pose_qx * t10,
+      t12 = limb5_S_pose_qy * t9, t26 = limb5_S_pose_qw * (limb5_S_pose_qx * t9), t13 = limb5_S_pose_qw * t12,
+      t19 = limb5_S_pose_qx * t12, platform_turn_zx = t11 - t13, platform_turn_xz = t11 + t13,
+      t14 = 0.5 * platform_turn_zx, t18 = param_H * platform_turn_xz, t20 = limb5_S_pose_qw * t10,
+      t24 = limb5_S_pose_qy * t10, platform_turn_yx = t19 + t20, platform_turn_xy = t19 - t20,
+      t31 = 0.5 * platform_turn_yx, platform_turn_yz = t24 - t26, platform_turn_zy = t24 + t26,
+      t27 = param_H * platform_turn_yz, t17 = param_H * platform_turn_zz, t23 = 0.5 * platform_turn_xx;
     FIRST_LIMB(0, inverse_dynamics_platform, 0, stride, t14, t17, t23, t18, t31, t27, &limbs);
     NEXT_LIMB(2, inverse_dynamics_platform, 0, stride, t14, t17, t23, t18, t31, t27, &limbs);
     /* limb1: reciprocal wrenches, eq. (10); loop closure; balance, eqs. (40)-(47) */
@@ -1406,9 +1403,8 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_pla
     const lanes4 lanes_121 = signed_limb_lower_limb_target_y * lanes_112;
     /* limb1: reciprocal wrenches, eq. (10); geometry; balance, eqs. (40)-(47) */
     const double t41 = platform_turn_yy * limb1_U_0_sin + platform_turn_zy * minus_limb1_U_0_cos,
-      t46 = platform_turn_zy * limb1_U_0_sin, limb1_lower_cos = signed_limb_lower_cos[0], t42 = limb1_lower_cos *
-          t41,
-      limb1_lower_sin = -signed_limb_lower_sin[0], t572 = limb1_lower_sin * t41,
+      t46 = platform_turn_zy * limb1_U_0_sin, limb1_lower_cos = signed_limb_lower_cos[0],
+      t42 = limb1_lower_cos * t41, limb1_lower_sin = -signed_limb_lower_sin[0], t572 = limb1_lower_sin * t41,
       limb1_U2_constraint_mn_couple_z = t42 - platform_turn_xy * limb1_lower_sin,
       minus_limb1_U2_part_fy_by_limb1_U2_mn = lanes_34[0] * limb1_U2_constraint_mn_couple_z,
       minus_limb1_U_0_force_y_by_limb1_U2_mn = limb1_lower_sin * minus_limb1_U2_part_fy_by_limb1_U2_mn,

@@ -23,9 +23,8 @@ STAGE(body_poses, 0)(size_t limb, size_t stride, const double *restrict q, doubl
     /* each limb: geometry */
     const LIMB4 lower_rotation_zx = t25 * lower_cos, signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
     /* each limb: results; geometry */
-    const LIMB4 t5 = (-0.5) * lower_rotation_zx, t24 = sign1 * signed_lower_sin, signed_lower_rotation_zy = t25 *
-        t24,
-      signed_lower_poses_Rzx = t5 + k1 * signed_lower_rotation_zy;
+    const LIMB4 t5 = (-0.5) * lower_rotation_zx, t24 = sign1 * signed_lower_sin,
+      signed_lower_rotation_zy = t25 * t24, signed_lower_poses_Rzx = t5 + k1 * signed_lower_rotation_zy;
     WRITE4(poses, 14, 41, 62, 89, -sign2 * signed_lower_poses_Rzx);
     WRITE4(poses, 26, 53, 74, 101, -sign2 * signed_lower_poses_Rzx);
     const LIMB4 t13 = 0.5 * signed_lower_rotation_zy, lower_poses_z = (-param_R) * signed_lower_poses_Rzx;
@@ -396,9 +395,8 @@ BODY(three_ups_upu_s_forward_kinematics)(size_t stride, const double *restrict q
     WRITE(positions, 28, limb4_upper_position_y);
     REAL checked3 = limb4_upper_position_y;
     RESULT(checked0, positions, 22, E_positions_y - t28);
-    const REAL t11 = limb5_S_q_qx * t10, t22 = limb5_S_q_qw * t10, t13 = limb5_S_q_qw * t12, t21 = limb5_S_q_qx *
-        t12,
-      platform_turn_zx = t11 - t13, E_positions_x = param_H * (t11 + t13);
+    const REAL t11 = limb5_S_q_qx * t10, t22 = limb5_S_q_qw * t10, t13 = limb5_S_q_qw * t12,
+      t21 = limb5_S_q_qx * t12, platform_turn_zx = t11 - t13, E_positions_x = param_H * (t11 + t13);
     WRITE(positions, 3, E_positions_x);
     const REAL t24 = 0.5 * platform_turn_zx;
     RESULT(checked1, positions, 26, t24 + E_positions_z);
@@ -578,8 +576,8 @@ BODY(three_ups_upu_s_point_motion)(size_t stride, const double *restrict q, cons
       t94 = E_positions_z * platform_twist_rate_wx, t79 = E_positions_z * platform_twist_rate_wy;
     RESULT(checked1, accelerations, 5, E_positions_y * platform_twist_rate_wx - E_positions_x *
         platform_twist_rate_wy + t104);
-    const REAL t85 = t79 - E_positions_y * platform_twist_rate_wz, t95 = E_positions_x * platform_twist_rate_wz -
-        t94,
+    const REAL t85 = t79 - E_positions_y * platform_twist_rate_wz,
+      t95 = E_positions_x * platform_twist_rate_wz - t94,
       E_velocities_z = E_positions_y * platform_twist_wx - E_positions_x * platform_twist_wy;
     WRITE(velocities, 5, E_velocities_z);
     RESULT(checked2, accelerations, 4, t95 + (t96 - platform_twist_wx * E_velocities_z));
@@ -927,8 +925,8 @@ STAGE(joint_points, 0)(size_t limb, size_t stride, const double *restrict q, dou
       each_param_R = -sign1 * param_R, sign2 = OF4(1.0, -1.0, 1.0, -1.0);
     /* each limb: geometry; results */
     const LIMB4 upper_offset_x = IN_EACH4(READ, q, 2, 3) + limb_upper_phase,
-      lower_cos = IN_EACH4(SINES, cosine, 1, 2), signed_lower_rotation_zx = IN_EACH4(SINES, cosine, 0, 2) *
-          lower_cos,
+      lower_cos = IN_EACH4(SINES, cosine, 1, 2),
+      signed_lower_rotation_zx = IN_EACH4(SINES, cosine, 0, 2) * lower_cos,
       signed_upper_position_z = upper_offset_x * signed_lower_rotation_zx;
     WRITE4(points, 8, 17, 26, 35, sign2 * signed_upper_position_z);
     const LIMB4 signed_P_points_z = signed_upper_position_z - limb_upper_phase * signed_lower_rotation_zx;
@@ -1242,12 +1240,12 @@ BODY(three_ups_upu_s_inverse_kinematics)(size_t stride, const double *restrict p
     WRITE(q, 14, limb5_S_pose_qy);
     const REAL t3 = t1 + t2, t4 = limb5_S_pose_qy * limb5_S_pose_qy, limb5_S_pose_qz = READ(pose, 3);
     WRITE(q, 15, limb5_S_pose_qz);
-    const REAL t5 = limb5_S_pose_qz * limb5_S_pose_qz, t6 = t4 + t5, t7 = t3 + t6, t9 = 4.0 - 2.0 * t7, t30 = t2 +
-        t5,
-      t21 = param_H * (1.0 - t9 * (t2 + t4)), platform_turn_yy = 1.0 - t9 * t30, t29 = 0.5 * (1.0 - t6 * t9),
-      t10 = limb5_S_pose_qy * t9, t11 = limb5_S_pose_qx * t10, t24 = limb5_S_pose_qw * t10,
-      t12 = limb5_S_pose_qz * t9, t17 = limb5_S_pose_qw * (limb5_S_pose_qx * t9), t13 = limb5_S_pose_qw * t12,
-      platform_turn_yx = t11 + t13, platform_turn_xy = t11 - t13, t14 = 0.5 * platform_turn_yx;
+    const REAL t5 = limb5_S_pose_qz * limb5_S_pose_qz, t6 = t4 + t5, t7 = t3 + t6, t9 = 4.0 - 2.0 * t7,
+      t30 = t2 + t5, t21 = param_H * (1.0 - t9 * (t2 + t4)), platform_turn_yy = 1.0 - t9 * t30,
+      t29 = 0.5 * (1.0 - t6 * t9), t10 = limb5_S_pose_qy * t9, t11 = limb5_S_pose_qx * t10,
+      t24 = limb5_S_pose_qw * t10, t12 = limb5_S_pose_qz * t9, t17 = limb5_S_pose_qw * (limb5_S_pose_qx * t9),
+      t13 = limb5_S_pose_qw * t12, platform_turn_yx = t11 + t13, platform_turn_xy = t11 - t13,
+      t14 = 0.5 * platform_turn_yx;
     const EACH4 given = {t14, t21, t14, t21};
     const REAL t15 = limb5_S_pose_qy * t12, t23 = limb5_S_pose_qx * t12, platform_turn_yz = t15 - t17,
       platform_turn_zy = t15 + t17, t18 = param_H * platform_turn_yz;
@@ -1298,17 +1296,16 @@ BODY(three_ups_upu_s_drive_positions)(size_t stride, const double *restrict pose
 {
     /* limb5_S: geometry */
     const REAL limb5_S_pose_qw = READ(pose, 0), limb5_S_pose_qx = READ(pose, 1),
-      t1 = limb5_S_pose_qw * limb5_S_pose_qw, t2 = limb5_S_pose_qx * limb5_S_pose_qx, limb5_S_pose_qy = READ(pose,
-          2),
-      t3 = t1 + t2, t4 = limb5_S_pose_qy * limb5_S_pose_qy, limb5_S_pose_qz = READ(pose, 3),
-      t5 = limb5_S_pose_qz * limb5_S_pose_qz, t6 = t4 + t5, t7 = t3 + t6, t9 = 4.0 - 2.0 * t7, t38 = t2 + t5,
-      t25 = param_H * (1.0 - t9 * (t2 + t4)), t29 = 0.5 * (1.0 - t6 * t9), platform_turn_yy = 1.0 - t9 * t38,
-      t10 = limb5_S_pose_qy * t9, t11 = limb5_S_pose_qx * t10, t21 = limb5_S_pose_qw * t10,
-      t12 = limb5_S_pose_qz * t9, t17 = limb5_S_pose_qw * (limb5_S_pose_qx * t9), t13 = limb5_S_pose_qw * t12,
-      platform_turn_yx = t11 + t13, platform_turn_xy = t11 - t13, t14 = 0.5 * platform_turn_yx,
-      t15 = limb5_S_pose_qy * t12, t20 = limb5_S_pose_qx * t12, platform_turn_yz = t15 - t17,
-      platform_turn_zy = t15 + t17, t18 = param_H * platform_turn_yz, minus_limb1_lower_limb_target_x = t14 - t18,
-      limb3_lower_limb_target_x = t14 + t18,
+      t1 = limb5_S_pose_qw * limb5_S_pose_qw, t2 = limb5_S_pose_qx * limb5_S_pose_qx,
+      limb5_S_pose_qy = READ(pose, 2), t3 = t1 + t2, t4 = limb5_S_pose_qy * limb5_S_pose_qy,
+      limb5_S_pose_qz = READ(pose, 3), t5 = limb5_S_pose_qz * limb5_S_pose_qz, t6 = t4 + t5, t7 = t3 + t6,
+      t9 = 4.0 - 2.0 * t7, t38 = t2 + t5, t25 = param_H * (1.0 - t9 * (t2 + t4)), t29 = 0.5 * (1.0 - t6 * t9),
+      platform_turn_yy = 1.0 - t9 * t38, t10 = limb5_S_pose_qy * t9, t11 = limb5_S_pose_qx * t10,
+      t21 = limb5_S_pose_qw * t10, t12 = limb5_S_pose_qz * t9, t17 = limb5_S_pose_qw * (limb5_S_pose_qx * t9),
+      t13 = limb5_S_pose_qw * t12, platform_turn_yx = t11 + t13, platform_turn_xy = t11 - t13,
+      t14 = 0.5 * platform_turn_yx, t15 = limb5_S_pose_qy * t12, t20 = limb5_S_pose_qx * t12,
+      platform_turn_yz = t15 - t17, platform_turn_zy = t15 + t17, t18 = param_H * platform_turn_yz,
+      minus_limb1_lower_limb_target_x = t14 - t18, limb3_lower_limb_target_x = t14 + t18,
       t43 = limb3_lower_limb_target_x * limb3_lower_limb_target_x, /* limb3 */
       t19 = minus_limb1_lower_limb_target_x * minus_limb1_lower_limb_target_x, /* limb1 */
       t53 = platform_turn_yy * minus_limb1_lower_limb_target_x, /* limb1 */
@@ -1423,11 +1420,10 @@ BODY(three_ups_upu_s_inverse_velocity)(size_t stride, const double *restrict pos
     LIMBS(inverse_velocity) limbs;
     /* limb5_S: geometry; velocities, eq. (6) */
     const REAL limb5_S_pose_qw = READ(pose, 0), limb5_S_pose_qx = READ(pose, 1),
-      t1 = limb5_S_pose_qw * limb5_S_pose_qw, t2 = limb5_S_pose_qx * limb5_S_pose_qx, limb5_S_pose_qy = READ(pose,
-          2),
-      t3 = t1 + t2, t4 = limb5_S_pose_qy * limb5_S_pose_qy, limb5_S_pose_qz = READ(pose, 3),
-      t5 = limb5_S_pose_qz * limb5_S_pose_qz, t6 = t4 + t5, t7 = t3 + t6, t9 = 4.0 - 2.0 * t7,
-      platform_turn_xx = 1.0 - t6 * t9, t19 = t2 + t4, platform_turn_yy = 1.0 - t9 * (t2 + t5),
+      t1 = limb5_S_pose_qw * limb5_S_pose_qw, t2 = limb5_S_pose_qx * limb5_S_pose_qx,
+      limb5_S_pose_qy = READ(pose, 2), t3 = t1 + t2, t4 = limb5_S_pose_qy * limb5_S_pose_qy,
+      limb5_S_pose_qz = READ(pose, 3), t5 = limb5_S_pose_qz * limb5_S_pose_qz, t6 = t4 + t5, t7 = t3 + t6,
+      t9 = 4.0 - 2.0 * t7, platform_turn_xx = 1.0 - t6 * t9, t19 = t2 + t4, platform_turn_yy = 1.0 - t9 * (t2 + t5),
       platform_turn_zz = 1.0 - t9 * t19, t10 = limb5_S_pose_qy * t9, t11 = limb5_S_pose_qx * t10,
       t28 = limb5_S_pose_qw * t10, t12 = limb5_S_pose_qz * t9, t17 = limb5_S_pose_qw * (limb5_S_pose_qx * t9),
       t13 = limb5_S_pose_qw * t12, platform_turn_xy = t11 - t13, platform_turn_yx = t11 + t13,
@@ -1666,13 +1662,13 @@ BODY(three_ups_upu_s_joint_displacements)(size_t stride, const double *restrict 
       t123 = SELECT(t122, t121, t116), t128 = t108 + (t98 + (t51 + (1.0 - 2.0 * t108))), t129 = LESS(t123, t128),
       t174 = 1.0 / (2.0 * SQRT(SELECT(t129, t128, t123))), t167 = t163 - t166, t168 = SELECT(t115, t114, t167),
       t178 = SELECT(t115, t167, t109), t186 = -(t163 + t166),
-      t132 = limb2_U_0_sin * platform_turn_zx + minus_limb2_U_0_cos * platform_turn_xx, t137 = limb2_lower_sin *
-          t132,
-      t135 = limb2_lower_cos * t132 - limb2_lower_sin * platform_turn_yx, t153 = 0.5 * t135, t136 = k1 * t135,
-      t139 = t137 + limb2_lower_cos * platform_turn_yx, t155 = t153 + k1 * t139, t141 = t136 - 0.5 * t139,
-      t145 = k1 * t144, t158 = 0.5 * t144 - k1 * t148, t150 = t145 + 0.5 * t148, t159 = t155 + t158,
-      t176 = t158 - t155, t160 = -t159, t169 = SELECT(t122, t160, t168), t151 = t141 + t150, t177 = t141 - t150,
-      t152 = -t151, t175 = SELECT(t129, t152, t169) * t174,
+      t132 = limb2_U_0_sin * platform_turn_zx + minus_limb2_U_0_cos * platform_turn_xx,
+      t137 = limb2_lower_sin * t132, t135 = limb2_lower_cos * t132 - limb2_lower_sin * platform_turn_yx,
+      t153 = 0.5 * t135, t136 = k1 * t135, t139 = t137 + limb2_lower_cos * platform_turn_yx, t155 = t153 + k1 *
+          t139,
+      t141 = t136 - 0.5 * t139, t145 = k1 * t144, t158 = 0.5 * t144 - k1 * t148, t150 = t145 + 0.5 * t148,
+      t159 = t155 + t158, t176 = t158 - t155, t160 = -t159, t169 = SELECT(t122, t160, t168), t151 = t141 + t150,
+      t177 = t141 - t150, t152 = -t151, t175 = SELECT(t129, t152, t169) * t174,
       t195 = SELECT(t129, t128, SELECT(t122, t186, SELECT(t115, t152, t176))),
       t180 = SELECT(t129, t176, SELECT(t122, t177, t178)),
       t190 = SELECT(t129, t186, SELECT(t122, t121, SELECT(t115, t160, t177))) * t174, t196 = t195 * t174,
@@ -1728,17 +1724,15 @@ BODY(three_ups_upu_s_joint_displacements)(size_t stride, const double *restrict 
     const REAL limb4_U_0_sin = SINES(cosine, 6), minus_limb4_U_0_cos = SINES(sine, 6);
     /* limb4: results; geometry */
     const REAL t429 = minus_limb4_U_0_cos * t361, t365 = limb4_U_0_sin * t361 + minus_limb4_U_0_cos * t363,
-      t431 = t429 - limb4_U_0_sin * t363, limb4_lower_cos = SINES(cosine, 7), minus_limb4_lower_sin = SINES(sine,
-          7),
+      t431 = t429 - limb4_U_0_sin * t363, limb4_lower_cos = SINES(cosine, 7), minus_limb4_lower_sin =
+          SINES(sine, 7),
       t371 = minus_limb4_lower_sin * t365, t369 = limb4_lower_cos * t365 + minus_limb4_lower_sin * t367,
-      t373 = t371 - limb4_lower_cos * t367, t370 = k1 * t369, t396 = 0.5 * t369 + k1 * t373, t375 = t370 - 0.5 *
-          t373,
-      t397 = 0.5 * t396, t458 = k1 * t396, t433 = minus_limb4_U_0_cos * t377,
+      t373 = t371 - limb4_lower_cos * t367, t370 = k1 * t369, t396 = 0.5 * t369 + k1 * t373,
+      t375 = t370 - 0.5 * t373, t397 = 0.5 * t396, t458 = k1 * t396, t433 = minus_limb4_U_0_cos * t377,
       t381 = limb4_U_0_sin * t377 + minus_limb4_U_0_cos * t379, t435 = t433 - limb4_U_0_sin * t379,
       t387 = minus_limb4_lower_sin * t381, t385 = limb4_lower_cos * t381 + minus_limb4_lower_sin * t383,
-      t389 = t387 - limb4_lower_cos * t383, t386 = k1 * t385, t400 = 0.5 * t385 + k1 * t389, t391 = t386 - 0.5 *
-          t389,
-      t402 = t397 + k1 * t400, t460 = t458 - 0.5 * t400, t417 = 1.0 + 2.0 * t402,
+      t389 = t387 - limb4_lower_cos * t383, t386 = k1 * t385, t400 = 0.5 * t385 + k1 * t389,
+      t391 = t386 - 0.5 * t389, t402 = t397 + k1 * t400, t460 = t458 - 0.5 * t400, t417 = 1.0 + 2.0 * t402,
       t438 = limb4_U_0_sin * platform_turn_zx,
       t405 = minus_limb4_U_0_cos * platform_turn_zx - limb4_U_0_sin * platform_turn_xx, t419 = t405 + t417 - t402,
       t440 = t438 + minus_limb4_U_0_cos * platform_turn_xx, t461 = 0.5 * t375, t393 = k1 * t375 - 0.5 * t391,
@@ -1750,10 +1744,9 @@ BODY(three_ups_upu_s_joint_displacements)(size_t stride, const double *restrict 
       t445 = minus_limb4_lower_sin * t440, t443 = limb4_lower_cos * t440 + minus_limb4_lower_sin * platform_turn_yx,
       t447 = t445 - limb4_lower_cos * platform_turn_yx, t444 = k1 * t443, t453 = 0.5 * t443 + k1 * t447,
       t449 = t444 - 0.5 * t447, t432 = k1 * t431, t456 = 0.5 * t431 + k1 * t435, t437 = t432 - 0.5 * t435,
-      t457 = t453 - t456, t473 = t453 + t456, t466 = SELECT(t421, t457, t465), t450 = t437 - t449, t474 = t449 +
-          t437,
-      t472 = SELECT(t428, t450, t466) * t471, t492 = SELECT(t428, t427, SELECT(t421, t483, SELECT(t414, t450,
-          t473))),
+      t457 = t453 - t456, t473 = t453 + t456, t466 = SELECT(t421, t457, t465), t450 = t437 - t449,
+      t474 = t449 + t437, t472 = SELECT(t428, t450, t466) * t471,
+      t492 = SELECT(t428, t427, SELECT(t421, t483, SELECT(t414, t450, t473))),
       t477 = SELECT(t428, t473, SELECT(t421, t474, t475)),
       t487 = SELECT(t428, t483, SELECT(t421, t420, SELECT(t414, t457, t474))) * t471, t493 = t492 * t471,
       t478 = t477 * t471, t496 = SQRT(t472 * t472 + t487 * t487 + t493 * t493),

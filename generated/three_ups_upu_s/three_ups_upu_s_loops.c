@@ -128,8 +128,8 @@ STAGE(closure_jacobian, 0)(size_t limb, size_t stride, const double *restrict q,
     OWN(t15) = platform_turn_yz * minus_base_lever_mx_by_S_fy;
     OWN(t10) = platform_turn_zy * signed_base_lever_mz_by_S_fy;
     OWN(t16) = platform_turn_zz * signed_base_lever_mz_by_S_fy;
-    const LIMB4 upper_position_x = signed_lower_sin * t8 + each_param_R, signed_U_0_lever_mz_by_S_fz = lower_cos *
-        t8;
+    const LIMB4 upper_position_x = signed_lower_sin * t8 + each_param_R,
+      signed_U_0_lever_mz_by_S_fz = lower_cos * t8;
     WRITE4(jacobian, 2, 45, 87, 129, -sign1 * signed_U_0_lever_mz_by_S_fz);
     const LIMB4 t9 = sign1 * signed_U_0_lever_mz_by_S_fz, signed_base_lever_mz_by_S_fz = U_0_cos * upper_position_x;
     OWN(t5) = platform_turn_zx * signed_base_lever_mz_by_S_fz;
@@ -280,9 +280,8 @@ STAGE(closure_bias, 0)(size_t limb, size_t stride, const double *restrict q, con
       U_0_cos = IN_EACH4(SINES, cosine, 0, 2);
     /* each limb: loop closure; reciprocal wrenches, eq. (10); velocities, eq. (6) */
     const LIMB4 t1 = U_0_cos * t34, t8 = U_0_cos * platform_twist_wz - signed_U_0_sin * t34,
-      lower_cos = IN_EACH4(SINES, cosine, 1, 2), signed_lower_sin = IN_EACH4(SINES, sine, 1, 2), t11 = lower_cos *
-          t8,
-      t9 = signed_lower_sin * t8, t35 = sign2 * platform_twist_wx;
+      lower_cos = IN_EACH4(SINES, cosine, 1, 2), signed_lower_sin = IN_EACH4(SINES, sine, 1, 2),
+      t11 = lower_cos * t8, t9 = signed_lower_sin * t8, t35 = sign2 * platform_twist_wx;
     OWN(t3) = t11 + signed_lower_sin * t35;
     OWN(t2) = lower_cos * t35 - t9;
     const LIMB4 signed_S_arm_y = param_R * lower_cos, t13 = signed_S_arm_y * OWN(t3),
@@ -316,8 +315,8 @@ BODY(three_ups_upu_s_closure_bias)(size_t stride, const double *restrict q, cons
     const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t1 = limb5_S_q_qw * limb5_S_q_qw,
       t2 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t3 = t1 + t2, t4 = limb5_S_q_qy * limb5_S_q_qy,
       limb5_S_q_qz = READ(q, 15), t5 = limb5_S_q_qz * limb5_S_q_qz, t6 = t4 + t5, t7 = t3 + t6, t9 = 4.0 - 2.0 * t7,
-      t30 = t2 + t4, platform_turn_yy = 1.0 - t9 * (t2 + t5), limb5_S_v_wz = READ(v, 14), limb5_S_v_wx = READ(v,
-          12),
+      t30 = t2 + t4, platform_turn_yy = 1.0 - t9 * (t2 + t5), limb5_S_v_wz = READ(v, 14), limb5_S_v_wx =
+          READ(v, 12),
       t32 = limb5_S_v_wz * (1.0 - t9 * t30), t24 = limb5_S_v_wx * (1.0 - t6 * t9), t13 = limb5_S_q_qy * t9,
       t14 = limb5_S_q_qx * t13, t28 = limb5_S_q_qw * t13, t15 = limb5_S_q_qz * t9,
       t21 = limb5_S_q_qw * (limb5_S_q_qx * t9), t16 = limb5_S_q_qw * t15, platform_turn_yx = t14 + t16,
@@ -344,8 +343,8 @@ BODY(three_ups_upu_s_closure_bias)(size_t stride, const double *restrict q, cons
       limb1_U_0_cos = SINES(cosine, 0), t42 = limb1_U_0_cos * platform_turn_zy,
       limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy,
       t43 = limb1_U_0_sin * platform_turn_yy - t42, limb1_U_v_1 = READ(v, 1),
-      t40 = limb1_U2_constraint_mn_couple_x * t39, t36 = limb1_U_v_1 - limbs.t1[0], limb1_lower_sin = SINES(sine,
-          1),
+      t40 = limb1_U2_constraint_mn_couple_x * t39, t36 = limb1_U_v_1 - limbs.t1[0], limb1_lower_sin =
+          SINES(sine, 1),
       limb1_lower_cos = SINES(cosine, 1), t51 = limb1_lower_cos * t43,
       limb1_U2_opening_mn = limb1_lower_sin * t43 + limb1_lower_cos * platform_turn_xy,
       limb1_U2_constraint_mn_couple_z = t51 - limb1_lower_sin * platform_turn_xy,
@@ -389,9 +388,8 @@ STAGE(velocity, 1)(size_t limb, size_t stride, double *restrict v, const double 
     const EACH4 signed_limb5_S_joint_rate_wx, LIMBS(velocity) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, 1.0), sign2 = OF4(1.0, -1.0, -1.0, 1.0), each_param_R = sign2 *
-        param_R,
-      sign3 = OF4(1.0, 1.0, -1.0, 1.0), sign4 = OF4(1.0, -1.0, 1.0, -1.0);
+    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, 1.0), sign2 = OF4(1.0, -1.0, -1.0, 1.0),
+      each_param_R = sign2 * param_R, sign3 = OF4(1.0, 1.0, -1.0, 1.0), sign4 = OF4(1.0, -1.0, 1.0, -1.0);
     const LIMB4 signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2), U_0_cos = IN_EACH4(SINES, cosine, 0, 2);
     /* each limb: velocities, eq. (6) */
     const LIMB4 t8 = signed_U_0_sin * limb5_S_joint_rate_wz + U_0_cos * GIVEN(signed_limb5_S_joint_rate_wy),
@@ -443,8 +441,8 @@ BODY(three_ups_upu_s_velocity)(size_t stride, const double *restrict q, const do
       limb5_S_null_space_wz_by_limb5_S_wy = t30 * t33;
     /* limb5_S: velocities, eq. (6); geometry */
     const REAL t44 = limb5_S_q_qy * t35 * limb5_S_null_space_wz_by_limb5_S_wy, t39 = limb5_S_q_qz * t35,
-      t46 = 0.5 * (t39 - t44), t40 = 0.5 * t39, limb5_S_y_dot_qx = READ(y_dot, 0), limb5_S_y_dot_qy = READ(y_dot,
-          1),
+      t46 = 0.5 * (t39 - t44), t40 = 0.5 * t39, limb5_S_y_dot_qx = READ(y_dot, 0), limb5_S_y_dot_qy =
+          READ(y_dot, 1),
       t47 = t40 * t46, t41 = t40 * limb5_S_y_dot_qx, t55 = limb5_S_y_dot_qy * t46,
       t49 = limb5_S_q_qx * t35 * limb5_S_null_space_wz_by_limb5_S_wy, t36 = limb5_S_q_qw * t35,
       t51 = 0.5 * (t36 + t49), t37 = 0.5 * t36, a_pivot = t47 + t37 * t51;
@@ -594,9 +592,8 @@ BODY(three_ups_upu_s_null_space)(size_t stride, const double *restrict q, double
       limb5_S_null_space_wz_by_limb5_S_wy = t34 * t37, t44 = limb5_S_q_qy * t9 *
           limb5_S_null_space_wz_by_limb5_S_wy,
       t41 = limb5_S_q_qz * t9, t46 = 0.5 * (t41 - t44), t42 = 0.5 * t41, t47 = t42 * t46,
-      t38 = limb5_S_q_qx * t9 * limb5_S_null_space_wz_by_limb5_S_wy, t10 = limb5_S_q_qw * t9, t40 = 0.5 * (t10 +
-          t38),
-      t48 = 0.5 * t10, a_pivot = t47 + t48 * t40;
+      t38 = limb5_S_q_qx * t9 * limb5_S_null_space_wz_by_limb5_S_wy, t10 = limb5_S_q_qw * t9,
+      t40 = 0.5 * (t10 + t38), t48 = 0.5 * t10, a_pivot = t47 + t48 * t40;
     REAL checked1 = a_pivot;
     const REAL t50 = 1.0 / a_pivot, limb5_S_null_space_wy_by_limb5_S_qx = t42 * t50,
       limb5_S_null_space_wx_by_limb5_S_qx = t40 * t50, limb5_S_null_space_wy_by_limb5_S_qy = t48 * t50,
@@ -1032,8 +1029,8 @@ BODY(three_ups_upu_s_close_position)(size_t stride, const double *restrict q, do
       t131 = limbs.t1[1] * (limbs.signed_upper_position_x[1] * (limb2_U_0_sin * t51) -
           limbs.signed_S_opening_fz[1]),
       minus_limb2_U_0_cos = SINES(sine, 2), t168 = limbs.signed_U_null_space_0_by_limb5_S_wy[1] * t131 - t167,
-      t120 = minus_limb2_U_0_cos * t51, t126 = limbs.t2[1] * (limbs.signed_S_opening_fy[1] + limbs.S_arm_x[1] *
-          t120),
+      t120 = minus_limb2_U_0_cos * t51,
+      t126 = limbs.t2[1] * (limbs.signed_S_opening_fy[1] + limbs.S_arm_x[1] * t120),
       t122 = limbs.S_opening_fx[1] - limbs.signed_S_arm_y[1] * t120,
       t170 = limbs.t6[1] * t122 - (limbs.signed_U_null_space_1_by_limb5_S_wy[1] * t126 + t168);
     NEXT_LIMB(2, close_position, 1, stride, sine, cosine, limb5_S_null_space_wz_by_limb5_S_wy, limbs.t8[2],
@@ -1059,8 +1056,8 @@ BODY(three_ups_upu_s_close_position)(size_t stride, const double *restrict q, do
       t114 = limbs.t1[3] * (limbs.signed_S_opening_fz[3] + limbs.signed_upper_position_x[3] * (limb4_U_0_sin *
           t51)),
       minus_limb4_U_0_cos = SINES(sine, 6), t174 = t173 - limbs.signed_U_null_space_0_by_limb5_S_wy[3] * t114,
-      t103 = minus_limb4_U_0_cos * t51, t109 = limbs.t2[3] * (limbs.signed_S_opening_fy[3] - limbs.S_arm_x[3] *
-          t103),
+      t103 = minus_limb4_U_0_cos * t51,
+      t109 = limbs.t2[3] * (limbs.signed_S_opening_fy[3] - limbs.S_arm_x[3] * t103),
       t105 = limbs.S_opening_fx[3] + limbs.signed_S_arm_y[3] * t103,
       t176 = limbs.t6[3] * t105 - (limbs.signed_U_null_space_1_by_limb5_S_wy[3] * t109 - t174),
       t177 = limb5_S_null_space_wz_by_limb5_S_wy * t51 + t176,
@@ -1668,10 +1665,9 @@ BODY(three_ups_upu_s_assemble_step)(size_t stride, const double *restrict q, con
     NEXT_LIMB(2, assemble_step, 1, stride, sine, cosine, t57, t56, t60, t64, t65, t71, &limbs);
     const REAL t73 = limb1_U_factor_1_by_3 * limbs.signed_S_opening_fy[0], /* limb1 */
       t67 = limbs.signed_S_opening_fz[0] * minus_limb1_U_factor_0_by_3, /* limb1 */
-      limb1_U2_opening_mn = t68 + limb1_lower_cos * platform_turn_xy, t76 = t39 * (t67 - (limb1_U2_opening_mn +
-          t73)),
-      t78 = 0.5 * (t16 * t76), t83 = 0.5 * (t49 * t76), t66 = 0.5 * platform_turn_xy,
-      t318 = limb1_U2_opening_mn * limb1_U2_opening_mn, /* limb1 */
+      limb1_U2_opening_mn = t68 + limb1_lower_cos * platform_turn_xy,
+      t76 = t39 * (t67 - (limb1_U2_opening_mn + t73)), t78 = 0.5 * (t16 * t76), t83 = 0.5 * (t49 * t76),
+      t66 = 0.5 * platform_turn_xy, t318 = limb1_U2_opening_mn * limb1_U2_opening_mn, /* limb1 */
       t79 = limb5_S_q_qx - READ(y, 0) + t78, t80 = t15 * t79, t94 = t52 * t79, t84 = limb5_S_q_qy - READ(y, 1) -
           t83,
       t95 = t45 * t84 - t94, t87 = t54 * (t80 + t48 * t84), t96 = t54 * t95, t89 = t39 * (t42 * t87),

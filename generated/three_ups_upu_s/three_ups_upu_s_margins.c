@@ -138,7 +138,8 @@ BODY(three_ups_upu_s_actuation_margins)(size_t stride, const double *restrict q,
       t2 = per_length_param_R * (SINES(cosine, 2) * limb2_lower_cos); /* limb2 */
     RESULT(checked0, margins, 3, t2 * t99);
     const REAL t6 = per_length_param_R * (SINES(sine, 4) * limb4_lower_cos), /* limb4 */
-      t60 = t2 * t6, t8 = t2 * (t4 * t6), t9 = per_length_param_R * (SINES(sine, 2) * limb2_lower_cos), /* limb2 */
+      t60 = t2 * t6, t8 = t2 * (t4 * t6),
+      t9 = per_length_param_R * (SINES(sine, 2) * limb2_lower_cos), /* limb2 */
       t62 = t60 - t9 * t10, t63 = t62 * t49;
     WRITE(margins, 4, -t63);
     const REAL t64 = t63 * t63, t71 = per_length_param_R * (limb1_U_0_cos * limb1_lower_cos), /* limb1 */

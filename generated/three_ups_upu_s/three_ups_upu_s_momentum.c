@@ -20,8 +20,8 @@ STAGE(momentum_screws, 0)(size_t limb, size_t stride, const double *restrict q, 
       each_k1 = -sign2 * k1, factor_3 = -sign2 * 0.5, sign3 = OF4(1.0, -1.0, -1.0, 1.0);
     const LIMB4 signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2), lower_cos = IN_EACH4(SINES, cosine, 1, 2);
     /* each limb: geometry */
-    const LIMB4 minus_lower_rotation_yx = signed_U_0_sin * lower_cos, signed_lower_sin = IN_EACH4(SINES, sine, 1,
-        2);
+    const LIMB4 minus_lower_rotation_yx = signed_U_0_sin * lower_cos, signed_lower_sin =
+        IN_EACH4(SINES, sine, 1, 2);
     /* each limb: momentum, eq. (31); geometry; velocities, eq. (6) */
     const LIMB4 t11 = k1 * minus_lower_rotation_yx, signed_lower_rotation_yy = signed_U_0_sin * signed_lower_sin,
       t13 = t11 - factor_3 * signed_lower_rotation_yy, t14 = limb_lower_com_z * t13,
@@ -208,8 +208,8 @@ STAGE(momentum_rates, 0)(size_t limb, size_t stride, const double *restrict q, c
       each_k1 = -sign2 * k1, each_k1_2 = sign2 * k1, sign3 = OF4(1.0, -1.0, -1.0, 1.0);
     const LIMB4 signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2), lower_cos = IN_EACH4(SINES, cosine, 1, 2);
     /* each limb: geometry; momentum rate, eq. (35) */
-    const LIMB4 minus_lower_rotation_yx = signed_U_0_sin * lower_cos, signed_lower_sin = IN_EACH4(SINES, sine, 1,
-        2),
+    const LIMB4 minus_lower_rotation_yx = signed_U_0_sin * lower_cos, signed_lower_sin =
+        IN_EACH4(SINES, sine, 1, 2),
       t17 = k1 * minus_lower_rotation_yx, signed_lower_rotation_yy = signed_U_0_sin * signed_lower_sin,
       t19 = t17 - factor_2 * signed_lower_rotation_yy, t20 = limb_lower_com_z * t19,
       t23 = 0.5 * minus_lower_rotation_yx + each_k1 * signed_lower_rotation_yy, t25 = t20 + k3 * t23,
@@ -306,9 +306,8 @@ STAGE(momentum_rates, 0)(size_t limb, size_t stride, const double *restrict q, c
       t209 = limb_lower_m * (P_a * signed_lower_sin + t202 + t207), signed_upper_rate_at_O_fx = t209 - t224;
     WRITE4(momentum_rates, 12, 25, 36, 49, sign1 * signed_upper_rate_at_O_fx);
     checked = checked + signed_upper_rate_at_O_fx;
-    const LIMB4 t238 = lower_twist_wy * t203 + signed_lower_twist_wz * t205, upper_twist_vx = t301 *
-        signed_lower_sin,
-      upper_momentum_px = limb_lower_m * (upper_twist_vx + t238),
+    const LIMB4 t238 = lower_twist_wy * t203 + signed_lower_twist_wz * t205,
+      upper_twist_vx = t301 * signed_lower_sin, upper_momentum_px = limb_lower_m * (upper_twist_vx + t238),
       t242 = signed_lower_twist_wz * upper_momentum_px + t300 * signed_upper_momentum_pz, t233 = U_a_0 * t203 -
           t231,
       t226 = P_a * minus_lower_rotation_yx - lower_twist_rate_vy, t248 = t300 * minus_lower_rotation_yx,

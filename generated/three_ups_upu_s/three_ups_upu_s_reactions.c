@@ -82,9 +82,8 @@ STAGE(joint_reactions, 0)(size_t limb, size_t stride, const double *restrict q, 
     OWN(signed_S_multiplier_fz) = OWN(t1) * U_0_moment_z;
     OWN(t2) = t46 * OWN(t1);
     OWN(minus_S_arm_y) = each_param_R * lower_cos;
-    const LIMB4 t21 = OWN(minus_S_arm_y) * OWN(upper_rate_fx), t13 = OWN(minus_S_arm_y) *
-        OWN(signed_S_multiplier_fz),
-      t36 = signed_lower_sin * t13, t14 = t46 * t13;
+    const LIMB4 t21 = OWN(minus_S_arm_y) * OWN(upper_rate_fx),
+      t13 = OWN(minus_S_arm_y) * OWN(signed_S_multiplier_fz), t36 = signed_lower_sin * t13, t14 = t46 * t13;
     OWN(S_arm_x) = OWN(upper_offset_x) - param_R * signed_lower_sin;
     const LIMB4 t15 = OWN(S_arm_x) * OWN(signed_S_multiplier_fz);
     OWN(t6) = t36 + t46 * t15;
@@ -200,9 +199,8 @@ STAGE(joint_reactions, 3)(size_t limb, size_t stride, double *restrict reactions
       lower_joint_sent_my = t12 - signed_lower_sin * signed_lower_sent_mx;
     WRITE4(reactions, 3, 22, 39, 58, lower_joint_sent_my);
     checked = checked + lower_joint_sent_my;
-    const LIMB4 t67 = sign2 * (U_0_cos * minus_lower_joint_sent_mx), t16 = signed_U_0_sin *
-        minus_lower_joint_sent_mx,
-      t1 = t66 * lower_sent_fy,
+    const LIMB4 t67 = sign2 * (U_0_cos * minus_lower_joint_sent_mx),
+      t16 = signed_U_0_sin * minus_lower_joint_sent_mx, t1 = t66 * lower_sent_fy,
       signed_lower_joint_sent_fx = t66 * OWN(minus_lower_sent_fx) + signed_lower_sin * lower_sent_fy,
       t7 = U_0_cos * signed_lower_joint_sent_fx,
       signed_U_0_joint_sent_fx = signed_U_0_sin * signed_lower_joint_sent_fx + U_0_cos * signed_lower_sent_fz;
@@ -248,9 +246,8 @@ BODY(three_ups_upu_s_joint_reactions)(size_t stride, const double *restrict q, c
       t24 = limb1_U_0_sin * t23,
       t28 = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy);
     /* platform: geometry; balance, eqs. (40)-(47); drives */
-    const REAL t30 = limb5_S_q_qx * t29, t44 = limb5_S_q_qw * t29, t31 = limb5_S_q_qw * t13, t43 = limb5_S_q_qx *
-        t13,
-      platform_turn_xy = t30 - t31, platform_turn_yx = t30 + t31,
+    const REAL t30 = limb5_S_q_qx * t29, t44 = limb5_S_q_qw * t29, t31 = limb5_S_q_qw * t13,
+      t43 = limb5_S_q_qx * t13, platform_turn_xy = t30 - t31, platform_turn_yx = t30 + t31,
       limb1_U2_constraint_mn_couple_z = t28 - limb1_lower_sin * platform_turn_xy,
       limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * limbs.t2[0],
       minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limbs.S_arm_x[0] * limb1_U_factor_1_by_3,

@@ -26,7 +26,7 @@ from symscrew.description.mechanism import (
     Vector,
     followed,
 )
-from symscrew.description.mechanism_size import characteristic_length
+from symscrew.description.mechanism_size import characteristic_length, radius_of_gyration
 from symscrew.description.names import RESERVED, check_name, check_text, longer_name, markdown_text
 from symscrew.description.number_range import check_range
 from symscrew.description.reader import Reader
@@ -85,6 +85,7 @@ __all__ = [
     "parameter_units",
     "parse",
     "parse_description",
+    "radius_of_gyration",
     "read_tables",
     "read_text",
     "renamed_text",

@@ -52,11 +52,13 @@ def _rounding(mechanism: Mechanism, cloud: Array) -> float:
     around = [float(np.linalg.norm(np.array(c) - cloud.mean(axis=0))) for c in centres]
     pitches = [abs(float(mechanism.number(j.pitch))) for j in mechanism.joints.values() if j.pitch is not None]
     others = max([*around, *pitches], default=0.0)
-    reach = max(float(np.abs(cloud).max()), *(_gyration(mechanism, body) for body in mechanism.bodies.values()))
+    reach = max(
+        float(np.abs(cloud).max()), *(radius_of_gyration(mechanism, body) for body in mechanism.bodies.values())
+    )
     return max(SMALLEST, SAME_POINT * others, LAST_DIGITS * reach)
 
 
-def _gyration(mechanism: Mechanism, body: Body) -> float:
+def radius_of_gyration(mechanism: Mechanism, body: Body) -> float:
     """About the radius of gyration [m] of a body, 0 without inertia."""
     if body.mass is None or body.inertia is None:
         return 0.0

@@ -21,7 +21,7 @@ NAMES_OF_LOCALS += " angle sine cosine pivot stride pitch lane index first some 
 NAMES_OF_LOCALS += " checked0 checked1 checked2 checked3 result_ in out read written work place together there"
 NAMES_OF_LOCALS += " size sized outcome function inputs outputs called batched"
 NAMES_OF_LOCALS += " every fours sum sum0 sum1 sum2 sum3 waiting at constant"
-TOGETHER = 112  # characters of a line of several declarations, its indentation not counted
+TOGETHER = 111  # characters of a line of several declarations, its indentation and the comma behind it not counted
 TAKEN = frozenset(f"{NAMES_OF_MATH} {NAMES_OF_LOCALS}".split())
 
 

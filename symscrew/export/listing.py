@@ -161,6 +161,8 @@ def wrapped(text: str, *, first: str = "", later: str = "", width: int = 100) ->
 
 
 LINE = 116  # characters of a line of code
+SHORT_CALL = re.compile(r"\b\w+\([\w, ]{1,24}\)")  # holds together: SINES(cosine, 2)
+HELD = "\0"  # a blank in one, while lines are broken
 
 
 def code_lines(text: str, *, comment: str = "", first: str = "", later: str = "    ") -> list[str]:
@@ -179,7 +181,8 @@ def code_lines(text: str, *, comment: str = "", first: str = "", later: str = " 
     wrapper = textwrap.TextWrapper(
         LINE, first + space, first + space + later, break_long_words=False, break_on_hyphens=False
     )
-    lines = wrapper.wrap(body)
+    held = SHORT_CALL.sub(lambda call: call[0].replace(" ", HELD), body)
+    lines = [line.replace(HELD, " ") for line in wrapper.wrap(held)]
     if not mark:
         return lines
     if len(lines[-1]) + len(mark) + len(said) <= LINE:

@@ -25,7 +25,7 @@ from symscrew.algebra import (
     scale,
     subtract,
 )
-from symscrew.description import JOINT_TYPES, Joint, Mechanism, Motion
+from symscrew.description import JOINT_TYPES, Joint, Mechanism, Motion, radius_of_gyration
 from symscrew.kinematics import motion_screws
 from symscrew.mobility.coupled_rates import Tie, ties_of
 from symscrew.mobility.screw_systems import Real, Row, Screw
@@ -33,10 +33,12 @@ from symscrew.mobility.screw_systems import Real, Row, Screw
 SAME_POINT = CONTEXT.mpf(10) ** -5
 """Joint points that lie closer together than this, relative to other lengths of the description, are meant to be one:
 coordinates of six digits leave as much. Then the largest of these lengths is the mechanism's size instead."""
-SMALLEST = CONTEXT.mpf(10) ** -13
-"""Lengths [m] below this are rounding where a description has no other, as for the characteristic length: hinges that
-meet in the origin, computed as doubles from lengths of metres, are apart by 1e-15. Sizes and tolerances follow from it
-alone; ranks of what was typed do not."""
+SMALLEST = CONTEXT.mpf(10) ** -7
+"""Distances of points [m] below this are rounding where a description has nothing else that has a size: hinges meant to
+meet in a point are apart by the eighth digit of a metre, and a mechanism of micrometres is larger."""
+NOTHING = CONTEXT.mpf(10) ** -13
+"""Other lengths [m] below this are none, as for the characteristic length: what doubles computed from metres leave.
+Sizes and tolerances follow from these alone; ranks of what was typed do not."""
 UNIT_ALREADY = CONTEXT.mpf(10) ** -55
 """An axis this close to unit length is one, as it was computed with 60 digits; others are divided by their length."""
 
@@ -273,20 +275,22 @@ def _characteristic_length(mechanism: Mechanism) -> Any:
     """Root mean square distance of the joint points from their centre [m]; where they all but coincide, another length.
 
     Invariant under rigid motions, and proportional to the unit. Hinges through one point that rounding sets apart by
-    1e-10 m make no mechanism of that size: theirs is a pitch, the distance of named points, of centres of mass, or of
-    the origin, else 1.
+    1e-10 m make no mechanism of that size: theirs is a pitch, the distance of named points, of centres of mass, a
+    radius of gyration, or the distance of the origin, else 1. Where these are no larger, it is a linkage of nanometres.
     """
     points = [_vector(mechanism, joint.point) for joint in mechanism.joints.values()]
     centre = tuple(sum(p[k] for p in points) / len(points) for k in range(3))
     spread = CONTEXT.sqrt(sum(_square(p, centre) for p in points) / len(points))
-    pitches = [abs(_number(mechanism, j.pitch)) for j in mechanism.joints.values() if j.pitch is not None]
     named = [_vector(mechanism, point.at) for point in mechanism.points.values()]
     named += [_vector(mechanism, body.com) for body in mechanism.bodies.values() if body.com]
-    others = [*pitches, *(CONTEXT.sqrt(_square(p, centre)) for p in named), max(abs(c) for p in points for c in p)]
-    largest = max(others)
-    if spread > max(SAME_POINT * largest, SMALLEST):
+    own = [abs(_number(mechanism, j.pitch)) for j in mechanism.joints.values() if j.pitch is not None]
+    own += [CONTEXT.sqrt(_square(p, centre)) for p in named]
+    own += [CONTEXT.mpf(radius_of_gyration(mechanism, body)) for body in mechanism.bodies.values()]
+    largest = max([*own, *(abs(c) for p in points for c in p)])
+    rounding = NOTHING if max(own, default=NOTHING) > NOTHING else SMALLEST
+    if spread > max(SAME_POINT * largest, rounding):
         return spread
-    return largest if largest > SMALLEST else CONTEXT.one
+    return largest if largest > rounding else CONTEXT.one
 
 
 def _square(point: Vector, centre: Sequence[Real]) -> Real:

@@ -35,10 +35,13 @@ def replaced(path: Path, make: Callable[[Path], object]) -> Path:
     """Make a file beside its place and move it there: what was there before stays if `make` fails.
 
     Raises:
-        OSError: a place that cannot be written, or a folder of this name.
+        OSError: a place that cannot be written, or a folder, a device or a pipe of this name: a file in their place
+            would end them.
     """
     if path.is_dir():
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(path))
+    if path.exists() and not path.is_file():
+        raise OSError(errno.EINVAL, "expected a file, found a device or a pipe", str(path))
     with of_file(path), stage(path) as place:
         make(place / path.name)
         os.replace(place / path.name, path)

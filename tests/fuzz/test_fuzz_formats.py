@@ -25,8 +25,7 @@ from symscrew.description import parse_description, to_toml
 from symscrew.display.view.motion_file import read_motion
 from symscrew.effects.gravity import Gravity
 from symscrew.effects.registry import load_effects
-from symscrew.errors import DescriptionError
-from symscrew.export import effect_from_json, manifest, read_manifest
+from symscrew.export import OutputError, effect_from_json, manifest, read_manifest
 from symscrew.export.manifest_file import effect_to_json
 from symscrew.formats import ImportOptions
 from symscrew.formats.by_suffix import WRITERS, load_format
@@ -366,7 +365,7 @@ def test_the_harness_finds_what_it_looks_for() -> None:
         raise KeyError(text)
 
     def endless(text: str) -> None:
-        raise DescriptionError(text * 5000)
+        raise OutputError(text * 5000)
 
     def lossy(text: str) -> None:
         assert not text

@@ -213,7 +213,7 @@ def test_more_than_a_file_holds_is_refused_before_anything_runs() -> None:
     fast = replace(scene, rate=1e5)
     with pytest.raises(DescriptionError, match=r"100000 runs of 20001 outputs are .* take a lower \[scene\] rate"):
         simulate_many(fast, {"initial.rates.crank_R": np.zeros(100_000)}, prepared=prepared)
-    with pytest.raises(ValueError, match="at least one thread"):
+    with pytest.raises(ValueError, match="threads: expected at least one"):
         simulate_many(scene, {}, prepared=prepared, threads=0)
     with pytest.raises(ValueError, match="backend 'c' or 'numpy'"):
         simulate_many(scene, {}, prepared=prepared, backend="fortran")

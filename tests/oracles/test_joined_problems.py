@@ -285,7 +285,7 @@ def test_the_command_writes_phases(tmp_path: Path, capsys: pytest.CaptureFixture
     problem.write_text(HEAD + "[[phases]]\nend = { coordinates = { x = 0.3 } }\nimpact = { x = 0.5 }\n[[phases]]\n")
     assert isinstance(load_problem_file(problem), JoinedProblem)
     assert main(["optimise", str(problem), "--out", str(table), "--rate", "10"]) == 0
-    rates = re.search(r"then rates become others: x (\S+) to (\S+) m/s, which takes", capsys.readouterr().out)
+    rates = re.search(r"then rates become others: x (\S+) to (\S+) m/s, z ", capsys.readouterr().out)
     assert rates is not None and float(rates[2]) == pytest.approx(-0.5 * float(rates[1]), rel=1e-5)
     with table.open() as file:
         rows = list(csv.DictReader(file))

@@ -267,6 +267,15 @@ def test_replaced_says_the_file_that_was_asked_for(tmp_path: Path) -> None:
     assert time.monotonic() >= start
 
 
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs pipes with names")
+def test_pipes_and_devices_are_not_replaced_by_files(tmp_path: Path) -> None:
+    """Who is allowed to write beside /dev/null would have lost it."""
+    os.mkfifo(tmp_path / "pipe.txt")
+    with pytest.raises(OSError, match=r"a device or a pipe: '.*/pipe\.txt'"):
+        write_text(tmp_path / "pipe.txt", "a")
+    assert (tmp_path / "pipe.txt").is_fifo()
+
+
 def test_where_nothing_can_be_written_is_said_before_the_work(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A run of an hour is not lost at its end: the folder is asked first, and a folder of the file's name is none."""
     (tmp_path / "taken.npz").mkdir()

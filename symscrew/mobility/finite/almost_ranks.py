@@ -115,9 +115,7 @@ def rank_claims(network: Network, body: str, limbs: Iterable[Sequence[str]]) -> 
     return tuple(claims)
 
 
-def low_ranks(
-    network: Network, claims: Iterable[RankClaim], centre: Array, near: float = NEAR
-) -> tuple[LowRank, ...]:
+def low_ranks(network: Network, claims: Iterable[RankClaim], centre: Array, near: float = NEAR) -> tuple[LowRank, ...]:
     """The claims that do not have full rank, counting relative singular values above `near` only."""
     found = []
     for claim in claims:
