@@ -7,6 +7,7 @@ products are, one product twice.
 
 from __future__ import annotations
 
+import heapq
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -119,14 +120,13 @@ class _Sum:
         if not _something_twice(products):
             return {}
         joined: dict[int, _Product | None] = {}
-        while True:
-            pairs = [(i, j) for j in range(len(products)) for i in range(j)]
-            gain, i, j = max(((_gain(products[i], products[j]), -i, -j) for i, j in pairs), default=(0, 0, 0))
-            if not gain:
-                return joined
-            one, other = products[-i], products.pop(-j)
+        pairs = _Pairs(products)
+        while (best := pairs.best()) is not None:
+            one, other = (products[k] for k in best)
             joined[other.place] = None
-            joined[one.place] = products[-i] = _together(one, other)
+            joined[one.place] = products[best[0]] = _together(one, other)
+            pairs.join(*best)
+        return joined
 
     def _product(self, place: int, node: Node, negative: bool) -> _Product:
         factors: list[Node] = []
@@ -141,6 +141,47 @@ class _Sum:
                 here, negative = here.args[0], not negative
             factors.append(here)
         return _Product(place, negative, tuple(factors), _whole(factors))
+
+
+class _Pairs:
+    """Pairs of products by what is gained where they are one; only those with something in common are looked at.
+
+    A sum of hundreds of products, as the energy of a long chain is, has ten thousands of pairs.
+    """
+
+    def __init__(self, products: list[_Product]) -> None:
+        self.products = products
+        self.joins = [0] * len(products)  # of each: what was said of it before the last is no longer true
+        self.alive = [True] * len(products)
+        self.having: dict[Node | tuple[int, ...], list[int]] = {}
+        self.heap: list[tuple[int, int, int, int, int]] = []  # -gain, i < j, and how often each was joined
+        for k in range(len(products)):
+            self._add(k)
+
+    def best(self) -> tuple[int, int] | None:
+        """The pair with the largest gain, the first of several; None where none gains."""
+        while self.heap:
+            _, i, j, first, second = heapq.heappop(self.heap)
+            if self.alive[i] and self.alive[j] and (first, second) == (self.joins[i], self.joins[j]):
+                return i, j
+        return None
+
+    def join(self, i: int, j: int) -> None:
+        """Product j is in product i now, which is another one."""
+        self.alive[j] = False
+        self.joins[i] += 1
+        self._add(i)
+
+    def _add(self, k: int) -> None:
+        product = self.products[k]
+        keys = dict.fromkeys((*product.factors, *((product.whole,) if product.whole is not None else ())))
+        for other in sorted({n for key in keys for n in self.having.get(key, ()) if self.alive[n] and n != k}):
+            i, j = min(k, other), max(k, other)
+            gain = _gain(self.products[i], self.products[j])
+            if gain:
+                heapq.heappush(self.heap, (-gain, i, j, self.joins[i], self.joins[j]))
+        for key in keys:
+            self.having.setdefault(key, []).append(k)
 
 
 def _whole(factors: Sequence[Node]) -> tuple[int, ...] | None:
