@@ -9,7 +9,7 @@ import pytest
 
 from symscrew.algebra import Node, Tape, needed, substitute
 from symscrew.program import Function, Iteration, Port, Program, evaluate, lower, lowering
-from symscrew.program.passes import PASSES
+from symscrew.program.passes import PASSES, common_factors
 
 
 def roots_of_squares(roots: Sequence[Node]) -> list[Node]:
@@ -149,3 +149,19 @@ def test_the_negative_of_what_has_a_difference_takes_no_operation() -> None:
         (got,), _ = evaluate(program, [states])
         np.testing.assert_allclose(got, np.column_stack(values), rtol=1e-13, atol=1e-15)
         assert operations(program) == expected
+
+
+@pytest.mark.parametrize("length", [100, 400])
+def test_only_products_that_share_something_are_compared(monkeypatch: pytest.MonkeyPatch, length: int) -> None:
+    """All pairs of a sum, anew after each join, made the code of a chain of 100 joints take five times as long."""
+    tape = Tape()
+    x = [tape.symbol(f"x{k}", "1", "input") for k in range(2 * length)]
+    total = tape.zero
+    for k in range(length):
+        total = total + x[2 * k] * x[2 * k + 1]
+    looked: list[int] = []
+    gain = common_factors._gain
+    monkeypatch.setattr(common_factors, "_gain", lambda one, other: looked.append(1) or gain(one, other))
+    (made,) = common_factors.factored([total + x[0] * x[3] + x[5] * x[6]])
+    assert 0 < len(looked) < 12
+    assert sum(node.op == "mul" for node in needed([made])) == length
