@@ -113,7 +113,7 @@ PARALLELOGRAMS = (
 
 @pytest.mark.slow
 def test_a_condition_with_a_slope_of_second_order_is_met() -> None:
-    """Normals of triangles rounded one by one: one slope is 1e-13, cut off as rounding, and alone holds what is left."""
+    """Normals of triangles rounded one by one: one slope is 1e-13, cut off as rounding; what is left is along it."""
     found = typed(turning_triangles(), seed=7038, digits="6")
     assert found.finite.dof == 0 and found.near is not None
     meant = found.near.meant
