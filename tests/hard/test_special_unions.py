@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import sympy
-from support.further_mechanisms import graph, waldron_hybrid
+from support.further_mechanisms import graph, turning_triangles, waldron_hybrid
 from support.parallel_mechanisms import THIRDS, turned
 from support.reposed import _axis, posed
 
@@ -109,6 +109,16 @@ PARALLELOGRAMS = (
     ("v", "n", "5/3", 2), ("m", "t", 5, 3), ("n", "t", "14/3", 2),
 )  # fmt: skip
 """Two parallelograms in a row, which hold a tool about a remote centre: pins of two bodies in a plane."""
+
+
+@pytest.mark.slow
+def test_a_condition_with_a_slope_of_second_order_is_met() -> None:
+    """Normals of triangles rounded one by one: one slope is 1e-13, cut off as rounding; what is left is along it."""
+    found = typed(turning_triangles(), seed=7038, digits="6")
+    assert found.finite.dof == 0 and found.near is not None
+    meant = found.near.meant
+    assert (meant.dof, meant.finite.dof, meant.overconstraints, meant.platform.type) == (1, 1, 7, "1T")
+    assert found.near.distance < 1e-5
 
 
 @pytest.mark.slow

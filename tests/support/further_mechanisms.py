@@ -9,6 +9,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+import mpmath
 import sympy
 from sympy import Matrix, Rational, sqrt
 
@@ -358,6 +359,108 @@ def cranks(*pins: Sequence[Any]) -> Mechanism:
     return three_bars([], pins, [[x, y + 1] for x, y in pins])
 
 
+def focal_mechanism() -> Mechanism:
+    """A four-bar A B C D and bars from one point O to a pin on each side: opposite quadrilaterals about O are similar.
+
+    A P O S and O R C Q, B Q O P and O S D R, mirror images: R = k conj(P - A) and so on, with k / l real for pins on
+    the sides. Then C = -k conj(A), D = -l conj(B), P divides A B, and so on.
+    """
+    one, two, turn = sympy.sympify("2 + I"), sympy.sympify("1 - 2*I"), sympy.sympify("(3 + 4*I)/5")
+    k, m = Rational(3, 2), Rational(-2, 3)
+    three, four = -k * turn * sympy.conjugate(one), -m * turn * sympy.conjugate(two)
+    side = {"P": (k * one - m * two) / (k - m), "Q": (k * m * two - three) / (k * m - 1),
+            "R": (k * four - m * three) / (k - m), "S": (k * m * one - four) / (k * m - 1)}  # fmt: skip
+
+    def pin(a: str, b: str, place: Any) -> tuple[str, str, str, Sequence[Any], Sequence[Any]]:
+        return ("R", a, b, [*sympy.expand(place).as_real_imag(), 0], Z)
+
+    bars = ("base", "bc", "cd", "da")
+    corners = [pin(a, b, p) for a, b, p in zip(bars, (*bars[1:], bars[0]), (two, three, four, one), strict=True)]
+    spokes = [pin(bar, f"o{name}", place) for bar, (name, place) in zip(bars, side.items(), strict=True)]
+    return graph(*corners, *spokes, *(pin("oP", f"o{name}", sympy.S.Zero) for name in "QRS"))
+
+
+def rectangles() -> Mechanism:
+    """Bars from all corners of one rectangle to all of another with the same axes: 16, of 4 lengths."""
+    one, other = ([[a * x, b * y] for a, b in ((1, 1), (-1, 1), (-1, -1), (1, -1))] for x, y in ((3, 1), (2, 4)))
+    return framework([*one, *other], [(i, j) for i in range(4) for j in range(4, 8)])
+
+
+def queer_square() -> Mechanism:
+    """Eight links in a square, flat, every second one on two hinges across its side of the square."""
+    corner = [([1, 2, 0], Y), ([-1, 2, 0], Y), ([-2, 1, 0], X), ([-2, -1, 0], X)]
+    return loop(*(("R", p, axis) for p, axis in corner), *(("R", [-c for c in p], axis) for p, axis in corner))
+
+
+def turning_triangles() -> Mechanism:
+    """Eight triangles in the planes of an octahedron's faces, neighbours on links with hinges along both normals.
+
+    A triangle that turns in its plane leaves the centre so that its corners stay on those of its neighbours.
+    """
+    joints = []
+    for i in range(3):
+        for one, other in ((1, 1), (1, -1), (-1, 1), (-1, -1)):
+            corner, sides = [0, 0, 0], []
+            corner[(i + 1) % 3], corner[(i + 2) % 3] = one, Rational(other, 3)
+            for side in (1, -1):
+                normal = [side, side, side]
+                normal[(i + 1) % 3], normal[(i + 2) % 3] = one, other
+                sides.append(normal)
+            link = f"link{i}_{one + 1}{other + 1}"
+            faces = ["base" if n == [1, 1, 1] else "face" + "".join(str(c + 1) for c in n) for n in sides]
+            joints += [("R", faces[0], link, corner, sides[0]), ("R", link, faces[1], corner, sides[1])]
+    return graph(*joints)
+
+
+def ball_joint_of_constant_velocity(balls: int) -> Mechanism:
+    """Two races about a common centre, balls in circular grooves whose centres lie on either side of it."""
+    places = [(1, 0), (Rational(-3, 5), Rational(4, 5)), (Rational(-5, 13), Rational(-12, 13)), (0, -1)][:balls]
+    joints: list[Any] = [("S", "base", "race", [0, 0, 0], None)]
+    for k, (c, s) in enumerate(places):
+        joints += [("R", "race", f"in{k}", [0, 0, 1], [-s, c, 0]), ("S", f"in{k}", f"out{k}", [5 * c, 5 * s, 0], None),
+                   ("R", f"out{k}", "base", [0, 0, -1], [-s, c, 0])]  # fmt: skip
+    return graph(*joints)
+
+
+def flat_octahedron(
+    first: str = "0.5381", second: str = "1.4879", others: tuple[str, str] = ("3.68", "4.63")
+) -> Mechanism:
+    """Six faces of an octahedron, flat: two corners are the foci of an ellipse that four edges touch.
+
+    `first`, `second`: eccentric angles at which edges touch it; those of the others, near `others`, are such that the
+    dihedral angles at opposite corners are in the same ratio: then it opens (R. Bricard's third type, flat twice).
+    """
+    with mpmath.workdps(70):
+        places = _flat_corners(*(mpmath.mpf(angle) for angle in (first, second, *others)))
+        exact = [[Rational(mpmath.nstr(c, 60)) for c in place] for place in places]
+    return octahedral([[*p, 0] for p in (exact[0], exact[1], (4, 0))], [[*p, 0] for p in (exact[2], exact[3], (-4, 0))])
+
+
+def _flat_corners(first: Any, second: Any, third: Any, fourth: Any) -> list[tuple[Any, Any]]:
+    """The corners where the tangents of the ellipse x^2/25 + y^2/9 = 1 meet, with equal ratios at opposite ones."""
+
+    def corners(*angles: Any) -> list[tuple[Any, Any]]:
+        lines = [(mpmath.cos(t) / 5, mpmath.sin(t) / 3) for t in angles]
+        pairs = zip(lines, (*lines[1:], lines[0]), strict=True)
+        return [((d - b) / (a * d - b * c), (a - c) / (a * d - b * c)) for (a, b), (c, d) in pairs]
+
+    def ratio(corner: Any, one: Any, other: Any) -> Any:
+        """sin((a - b)/2) / sin((a + b)/2) of the angles from the focus to the edges on either side."""
+        x, y = (mpmath.acos(_cosine(corner, (4, 0), end)) for end in (one, other))
+        return mpmath.sin((x - y) / 2) / mpmath.sin((x + y) / 2)
+
+    def unequal(x: Any, y: Any) -> list[Any]:
+        a, b, c, d = corners(first, second, x, y)
+        return [ratio(a, b, d) - ratio(c, b, d), ratio(b, a, c) - ratio(d, a, c)]
+
+    return corners(first, second, *mpmath.findroot(unequal, (third, fourth)))
+
+
+def _cosine(corner: Any, one: Any, other: Any) -> Any:
+    (a, b), (c, d) = ([x - y for x, y in zip(end, corner, strict=True)] for end in (one, other))
+    return (a * c + b * d) / mpmath.sqrt((a * a + b * b) * (c * c + d * d))
+
+
 HALF = Rational(1, 2)
 HALF_OCTAHEDRON = ([3, 1, 0], [1, -2, 2], [-1, 2, 3])
 CASES: dict[str, Case] = {
@@ -381,6 +484,16 @@ CASES: dict[str, Case] = {
     ),
     "hexapod, line-symmetric": Case(line_symmetric_hexapod, (7, 7, None, 1), "Borel 1908; Bricard 1906: six spins"),
     "griffis-duffy": Case(griffis_duffy, (7, 7, None, 1), "Griffis, Duffy 1993; Husty, Karger 2000: six spins"),
+    "octahedral, flat": Case(flat_octahedron, (3, 1, (1,), 3), "Bricard 1897, type 3; Bennett 1912"),
+    "focal": Case(focal_mechanism, (1, 1, None, 14), "Kempe 1878; Burmester 1893: 11 pins in the plane, 2 redundant"),
+    "rectangles": Case(rectangles, (1, 1, None, 31), "Dixon 1899, second kind; Wunderlich 1976"),
+    "queer square": Case(
+        queer_square, (5, 2, (2,), 3), "Wohlhart 1996: one pair of sides turns, or the other, or no corner does"
+    ),
+    "turning triangles": Case(turning_triangles, (1, 1, None, 7), "Fuller's jitterbug; Verheyen 1989, with hinges"),
+    "rzeppa": Case(
+        lambda: ball_joint_of_constant_velocity(3), (2, 2, None, 2), "Rzeppa 1936; Hunt 1978: races mirror each other"
+    ),
     "dixon": Case(dixon, (1, 1, None, 13), "Dixon 1899; 9 bars in the plane, one redundant"),
     "hexagon": Case(hexagon, (1, 0, (), 13), "Bolker and Roth 1980"),
     "peaucellier": Case(peaucellier, (1, 1, None, 9), "Peaucellier 1864: planar, 3 loops"),

@@ -247,7 +247,7 @@ def expected(name: str) -> dict[str, Any]:
 DEAR = {
     "stewart_6sps", "delta_4s-parallel_forearms", "3rps-mode_transition", "stewart_6ups-fichter_yaw90",
     "six legs, no circle", "six legs on a circle", "bricard octahedron 1", "miura flat, four columns",
-    "bricard plane-symmetric", "bricard line-symmetric", "waldron hybrid",
+    "bricard plane-symmetric", "bricard line-symmetric", "waldron hybrid", "queer square", "turning triangles",
 }  # fmt: skip
 """The oracles of mobility ask this checker of those of the literature, too; of the others, kinds of them are left."""
 

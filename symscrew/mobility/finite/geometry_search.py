@@ -14,13 +14,17 @@ from dataclasses import dataclass
 import numpy as np
 
 from symscrew.algebra import CONTEXT
-from symscrew.mobility.finite.almost_ranks import RankClaim
+from symscrew.mobility.finite.almost_ranks import LEAST, RankClaim
 from symscrew.mobility.finite.double_zeros import Conditions
 from symscrew.mobility.finite.joint_changes import Slots, about, changed, closure_rates, count_of, screw_rates, slots_of
 from symscrew.mobility.finite.local_solutions import local_at
 from symscrew.mobility.finite.variety import DIGITS_60, Array, ClosureVariety
 from symscrew.mobility.joint_network import Network
 from symscrew.mobility.screw_systems import Real
+
+CLEARLY = 30.0
+"""A singular value so many times the next smaller one stands clear of it: those that are rounding are within three of
+each other, one that was not stood two hundred times above them."""
 
 
 @dataclass(frozen=True)
@@ -137,6 +141,15 @@ class Search:
         dz = -self.along_ways(np.linalg.lstsq(self._along(self.matrix()), missing, rcond=cut)[0])
         self.move(dz, residuals)
         return dz
+
+    def clear_below(self, cut: float) -> float | None:
+        """The threshold in the widest gap among the relative singular values below `cut`; None: they are all alike."""
+        values = np.linalg.svd(self._along(self.matrix()), compute_uv=False)
+        small = np.maximum(values[values < cut * values[0]] / values[0], LEAST)
+        gaps = small[:-1] / small[1:]
+        if not len(gaps) or gaps.max() < CLEARLY:
+            return None
+        return float(np.sqrt(small[gaps.argmax()] * small[gaps.argmax() + 1]))
 
     def matrix(self) -> Array:
         """What the conditions change by z, their own unknowns following."""

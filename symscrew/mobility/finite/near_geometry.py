@@ -87,6 +87,9 @@ SLOW = 0.2
 QUARTERS = (0.2, 0.3)
 """A round that leaves so much was half of the way to a double zero that has slopes beside it: the step once more is the
 other half. Parallelograms side by side in six digits took fourteen such rounds and had not ended."""
+SECOND_ORDER = 1e-18
+"""Residual below which all that has a slope of first order is met: six digits leave 1e-6, their third power is 1e-18.
+Conditions that hold to second order in the rounding have slopes of 1e-13, which doubles tell from none."""
 LEAST_NOISE = 1e-15
 """Rounding of doubles: what is smaller is not measured by them."""
 ROUGH = 30.0
@@ -341,6 +344,7 @@ class _Approach:
         self._attempt, self._best, self._rough, self._fresh = 0, float("inf"), noise, True
         self._left: list[Array] = self.search.residuals()
         self._rest: Array | None = None
+        self._finer: float | None = None
 
     def found(self, *, twice: bool = False, rounds: int = ROUNDS) -> NearGeometry | None:
         """The geometry; None where it stalls, or has not ended after so many rounds. `twice`: double zeros as well."""
@@ -350,7 +354,7 @@ class _Approach:
             if size < CONVERGED:
                 return self._ended(search)
             slow = self._attempt >= LINEARISED and size > SLOW * self._best
-            if slow and size < ENOUGH:
+            if (slow or self._finer is not None) and size < ENOUGH:  # along small slopes rounds gain a hundredth each
                 return self._ended(search)
             if slow and self._rest is not None and QUARTERS[0] < size / self._best < QUARTERS[1]:
                 search.move(self._rest)
@@ -358,22 +362,39 @@ class _Approach:
                 continue
             slow = slow and size > self._best / 2  # else rounds come to leave a quarter yet
             if slow and self._fresh:
+                if self._along_small_slopes(size):
+                    continue
                 if not twice:
                     return None
                 cut = min(LARGEST_CUT, CUT_OFF * max(LEAST_ROUGH, self.noise))
                 double = _solved_twice(search.moved(np.zeros(0)), cut)
                 if double is not None or size > self._best / 2:
                     return None if double is None else self._ended(double)
-            self._fresh = self._attempt < LINEARISED or size > LITTLE * self._best
+            self._fresh = self._attempt < LINEARISED or size > LITTLE * self._best or self._finer is not None
             if self._fresh:
                 search.linearise()
                 self._rough = max(LEAST_ROUGH, self._rough if self._attempt == 0 else size)
             self._best = size
-            self._rest = search.step(self._left, min(LARGEST_CUT, CUT_OFF * self._rough))
+            cut = min(LARGEST_CUT, CUT_OFF * self._rough) if self._finer is None else self._finer
+            self._rest = search.step(self._left, cut)
             self._attempt += 1
             self.astray = bool(max(abs(c) for c in search.z) > ASTRAY)
             self._left = [] if self.astray else search.residuals()
         return None
+
+    def _along_small_slopes(self, size: float) -> bool:
+        """Whether it goes on along slopes that were cut off, but stand clear of rounding, where nothing else is left.
+
+        Where several axes are rounded a condition on one has a slope as small as the product of what others are off.
+        """
+        if self._finer is not None or size > SECOND_ORDER:
+            return False
+        self._finer = self.search.clear_below(CUT_OFF * LEAST_ROUGH)
+        if self._finer is not None:
+            self.search.step(self._left, self._finer)
+            self._best, self._left = float("inf"), self.search.settled().residuals()
+            self._attempt += 1
+        return self._finer is not None
 
     def _ended(self, search: Search) -> NearGeometry | None:
         return _between(search.network, search.after, moves=self.moves)
