@@ -169,8 +169,8 @@ def sweep_summary_text(found: Mapping[str, Any]) -> str:
     in_mode = f" in mode {found['mode']}" if "mode" in found else ""
     lines = [
         f"{found['mechanism']}{in_mode}: {found['cases']} cases{': ' if axes else ''}{axes}",
-        f"{found['reached']} can be assembled, {found['regular']} of them without passing a singularity, "
-        f"{found['allowed']} also within all limits",
+        f"{found['reached']} are reached straight from the start, {found['regular']} of them without passing a "
+        f"singularity, {found['allowed']} also within all limits",
     ]
     if "engine" in found:
         lines.append(f"computed by {found['engine']}")
