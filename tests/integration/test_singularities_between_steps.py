@@ -18,7 +18,7 @@ def test_two_singularities_between_two_steps(steps: int, seen: bool, monkeypatch
     plan = Plan(symscrew.load_catalogue("five_bar"), (), axes)
     assert evaluation.evaluate(plan, 0)["regular"][0] == 0.0  # looked at more closely
     monkeypatch.setattr(evaluation, "FINEST", 0)
-    assert (evaluation.evaluate(replace(plan, steps=steps), 0)["regular"][0] == 0.0) is seen
+    assert bool(evaluation.evaluate(replace(plan, steps=steps), 0)["regular"][0] == 0.0) is seen
 
 
 def test_what_moves_slowly_far_from_zero_is_not_walked_again() -> None:

@@ -35,8 +35,8 @@ def calls_of(compiled: CompiledModel) -> Call:
 
 STEPS = 16  # of the walk; at each the loops are closed from the last, and longer ones may end in another assembly
 # A way on which a margin comes near zero is walked again with so many times the steps, until it does not, or there are
-# that many: a margin that is zero twice between two steps has the same sign at both. One of a five-bar's 3721 places was
-# called regular for that; what is nearer than the finest steps tell is left to `--certify`.
+# that many: a margin that is zero twice between two steps has the same sign at both. One of a five-bar's 3721 places
+# was called regular for that; what is nearer than the finest steps tell is left to `--certify`.
 FINER, FINEST = 4, 256
 SINGULAR = 1e-9  # a margin (it has no unit) below this where the walk starts is 0: nothing can be compared with it
 
