@@ -15,7 +15,7 @@ from symscrew.studies.workspace.configurations import _near_zero
 @pytest.mark.parametrize("steps, seen", [(16, False), (600, True)])
 def test_two_singularities_between_two_steps(steps: int, seen: bool, monkeypatch: pytest.MonkeyPatch) -> None:
     axes = Axis("base_left", -4.6, -4.6, 1), Axis("base_right", 3.6, 3.6, 1)
-    plan = Plan(symscrew.load_catalogue("five_bar"), (), axes)
+    plan = Plan(symscrew.load_catalogue("five_bar"), (), axes, engine="casadi")
     assert evaluation.evaluate(plan, 0)["regular"][0] == 0.0  # looked at more closely
     monkeypatch.setattr(evaluation, "FINEST", 0)
     assert bool(evaluation.evaluate(replace(plan, steps=steps), 0)["regular"][0] == 0.0) is seen
