@@ -86,6 +86,7 @@ def run(options: argparse.Namespace) -> int:
     from symscrew.studies.workspace import (
         AZIMUTH,
         TILT,
+        all_around,
         check_drawn,
         held_store,
         prepare_sweep,
@@ -114,6 +115,8 @@ def run(options: argparse.Namespace) -> int:
     plan = read_plan(options)
     if expected is not None and not {TILT, AZIMUTH} <= {axis.name for axis in plan.axes}:
         raise UsageError("--expect-tilt needs the axes tilt and azimuth: --over tilt=0:20deg:21 azimuth=0:360deg:73")
+    if expected is not None and not all_around(plan):
+        raise UsageError("--expect-tilt: expected tilt from 0 and azimuth over a whole turn, azimuth=0:360deg:73")
     made = prepare_sweep(plan)
     check_drawn(plan, made.model.mechanism)
     for axis in plan.axes:

@@ -92,5 +92,5 @@ def _along(model: Model, call: Call, k: int, values: np.ndarray) -> dict[str, np
     y = np.repeat(reference_coordinates(model)[None, :], len(values), 0)
     y[:, k] = values
     with np.errstate(all="ignore"):
-        q, _, _ = walk(model, call, y, watch=False)
+        q, *_ = walk(model, call, y, watch=False)
         return watched_margins(model, call, q, _parameters(model, len(values)))

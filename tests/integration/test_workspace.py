@@ -335,7 +335,7 @@ def test_command(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch
     assert len(table) == found["cases"] == 45
     with np.load(tmp_path / "map" / "workspace.npz") as archive:
         assert np.array_equal(archive["limb1_P"], table[:, archive.files.index("limb1_P")])
-    over = ["--over", "tilt=0:10deg:2", "azimuth=0:360deg:3"]
+    over = ["--over", "tilt=0:10deg:2", "azimuth=0:360deg:4"]
     assert main(["workspace", "three_ups_upu_s", *over, "--expect-tilt", "70deg", "--out", "b.csv"]) == 1
 
 

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
         quaternion_labels,
         result_units,
     )
-    from symscrew.studies.workspace.map_summary import sweep_summary, sweep_summary_text
+    from symscrew.studies.workspace.map_summary import all_around, sweep_summary, sweep_summary_text
     from symscrew.studies.workspace.maps import draw_maps
     from symscrew.studies.workspace.plan import (
         AZIMUTH,
@@ -52,6 +52,7 @@ __all__ = [
     "Results",
     "Store",
     "Sweep",
+    "all_around",
     "calls_of",
     "check_drawn",
     "check_numbers",

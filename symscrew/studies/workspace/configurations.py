@@ -34,6 +34,10 @@ def calls_of(compiled: CompiledModel) -> Call:
 
 
 STEPS = 16  # of the walk; at each the loops are closed from the last, and longer ones may end in another assembly
+# A way on which a margin comes near zero is walked again with so many times the steps, until it does not, or there are
+# that many: a margin that is zero twice between two steps has the same sign at both. One of a five-bar's 3721 places
+# was called regular for that; what is nearer than the finest steps tell is left to `--certify`.
+FINER, FINEST = 4, 256
 SINGULAR = 1e-9  # a margin (it has no unit) below this where the walk starts is 0: nothing can be compared with it
 
 
@@ -61,7 +65,7 @@ def walk(
     watch: bool = True,
     reach: Reach | None = None,
     begin: Array | None = None,
-) -> tuple[Array, Array, dict[str, Array]]:
+) -> tuple[Array, Array, dict[str, Array], Array]:
     """Configurations q (cases, nq) at independent coordinates y (cases, ny), by equal steps from the reference.
 
     Args:
@@ -77,7 +81,8 @@ def walk(
     Returns:
         q, NaN where the loops cannot be closed; status of the last assembly; and per watched margin
         ("constraint platform" ...) its least value along the walk relative to the reference: at or below 0 a
-        singularity was passed.
+        singularity was passed; and whether one may have been passed twice between two steps (cases,): a margin changes
+        by more in a step, or in a neighbour of it, than it is off zero at its ends.
     """
     count = len(y)
     start = np.repeat(reference_coordinates(model, begin)[None, :], count, 0)
@@ -87,7 +92,7 @@ def walk(
     q, status = np.repeat(first_q[None, :], count, 0), np.zeros(count, dtype=int)
     extra = (p0,) if p0.shape[1] else ()
     first = start_margins(model, call, begin) if watch else {}
-    least = {name: np.ones(count) for name in first}
+    along = {name: [np.ones(count)] for name in first}
     for k in range(1, steps + 1):
         part = k / steps
         extra = ((1 - part) * p0 + part * p1,) if p0.shape[1] else ()
@@ -100,8 +105,20 @@ def walk(
             q = target.copy()
         now = watched_margins(model, call, q, extra) if watch else {}
         for name, value in first.items():
-            least[name] = np.fmin(least[name], now[name] / value)
-    return q, status, least
+            along[name].append(now[name] / value)
+    least = {name: np.fmin.reduce(values) for name, values in along.items()}
+    close = np.zeros(count, dtype=bool)
+    for values in along.values():
+        close |= _near_zero(np.array(values))
+    return q, status, least, close
+
+
+def _near_zero(margin: Array) -> Array:
+    """Whether a margin (steps + 1, cases) may be zero between two steps at the pace that it has there."""
+    moved = np.abs(np.diff(margin, axis=0))
+    around = np.pad(moved, ((1, 1), (0, 0)))
+    pace = np.maximum(np.maximum(around[:-2], around[2:]), moved)
+    return np.asarray((np.minimum(margin[:-1], margin[1:]) < pace).any(axis=0))
 
 
 def _assembled(call: Call, target: Array, q: Array, extra: Sequence[Array]) -> tuple[Array, Array]:

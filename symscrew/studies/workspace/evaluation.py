@@ -16,6 +16,8 @@ from symscrew.kinematics import BODY_PARTS, coordinate_units, full_name, nearest
 from symscrew.model import Model
 from symscrew.simulation import derived_model
 from symscrew.studies.workspace.configurations import (
+    FINER,
+    FINEST,
     Call,
     independent_labels,
     reference_coordinates,
@@ -107,9 +109,8 @@ def evaluate(plan: Plan, chunk: int) -> dict[str, Array]:
     values = plan.cases(chunk)
     y, p = _wanted(plan, made, values, plan.deviations(chunk))
     with np.errstate(all="ignore"):
-        named = _named(plan, made, values)
-        reach = named.reached if named else None
-        q, status, least = walk(model, call, y, p, steps=plan.steps, reach=reach, begin=made.begin)
+        q, status, least, close = _walked(plan, made, values, (y, p))
+        least = _looked_closer(plan, made, values, (y, p), least=least, close=close)
         extra = (p,) if p is not None else ()
         results = {axis.name: values[:, k] for k, axis in enumerate(plan.axes)}
         if p is not None:
@@ -128,6 +129,43 @@ def evaluate(plan: Plan, chunk: int) -> dict[str, Array]:
             fits &= (results[name] >= low) & (results[name] <= high)
         results["allowed"] = fits.astype(float)
     return results
+
+
+def _walked(
+    plan: Plan, made: Prepared, values: Array, wanted: tuple[Array, Array | None]
+) -> tuple[Array, Array, dict[str, Array], Array]:
+    named = _named(plan, made, values)
+    reach = named.reached if named else None
+    return walk(made.model, made.call, *wanted, steps=plan.steps, reach=reach, begin=made.begin)
+
+
+def _looked_closer(
+    plan: Plan,
+    made: Prepared,
+    values: Array,
+    wanted: tuple[Array, Array | None],
+    *,
+    least: dict[str, Array],
+    close: Array,
+) -> dict[str, Array]:
+    """The least margins (cases,) on the way, of places that look regular at steps between which they may not be.
+
+    Only margins are taken from shorter steps: configurations stay those of the walk.
+    """
+    y, p = wanted
+    found, steps = {name: value.copy() for name, value in least.items()}, plan.steps
+    left = np.flatnonzero(close)
+    while found and steps * FINER <= FINEST:
+        left = left[np.min([value[left] for value in found.values()], axis=0) > 0]
+        if not len(left):
+            break
+        steps *= FINER
+        finer = replace(plan, steps=steps)
+        _, _, now, close = _walked(finer, made, values[left], (y[left], p if p is None else p[left]))
+        for name, value in now.items():
+            found[name][left] = np.fmin(found[name][left], value)
+        left = left[close]
+    return found
 
 
 def check_plan(plan: Plan, model: Model, units: Mapping[str, str] | None = None) -> None:

@@ -12,6 +12,7 @@ from symscrew.studies.workspace.plan import AZIMUTH, TILT, Plan
 
 Results = Mapping[str, np.ndarray]
 DEGREE = 180 / np.pi  # per radian
+TURN = 2 * np.pi
 EARTH = 9.81  # [m/s^2]
 ANGLES = {TILT: "rad", AZIMUTH: "rad"}  # axes that are no coordinates
 NOISE = 1e-12  # of the largest value of a unit: what is smaller is rounding, and is printed as zero
@@ -47,7 +48,8 @@ def sweep_summary(plan: Plan, results: Results, units: Mapping[str, str], engine
     reach = tilt_reach(plan, results)
     if reach is not None:
         azimuths, tilts = reach
-        found["tilt"] = {"azimuth": azimuths.tolist(), "reach": tilts.tolist(), "every_direction": float(tilts.min())}
+        least = "every_direction" if all_around(plan) else "directions_looked_at"
+        found["tilt"] = {"azimuth": azimuths.tolist(), "reach": tilts.tolist(), least: float(tilts.min())}
     if plan.tolerances:
         found["tolerance"] = _tolerances(plan, results, units)
     return found
@@ -70,6 +72,26 @@ def tilt_reach(plan: Plan, results: Results) -> tuple[np.ndarray, np.ndarray] | 
     good = np.logical_and.accumulate(allowed[:, order], axis=1)
     size = np.abs(tilt[order])
     return azimuth, np.where(good.any(axis=1), size[np.maximum(good.sum(axis=1) - 1, 0)], 0.0)
+
+
+def all_around(plan: Plan) -> bool:
+    """Whether the axes tilt and azimuth go from upright in every direction, as far as a grid can.
+
+    That is: a tilt is zero (up to rounding), and no two neighbours of the azimuths, around the whole turn, are farther
+    apart than the axis steps; nor by half a turn, for directions on one side say nothing of the other. Tilts of both
+    signs look at the opposite azimuths, too, where they go as far.
+    """
+    axes = {axis.name: axis for axis in plan.axes}
+    if not {TILT, AZIMUTH} <= set(axes):
+        return False
+    tilt, azimuth = axes[TILT].values, axes[AZIMUTH].values
+    size = np.abs(tilt)
+    both = abs(float(tilt.max() + tilt.min())) <= NOISE * float(size.max())
+    looked_at = np.concatenate([azimuth, azimuth + np.pi]) if both else azimuth
+    around = np.sort(looked_at % TURN)
+    gap = float(np.diff(around, append=around[0] + TURN).max())
+    step = float(np.ptp(azimuth)) / max(len(azimuth) - 1, 1)
+    return bool(size.min() <= NOISE * size.max() and gap <= step + NOISE and gap < np.pi - NOISE)
 
 
 def _weight(plan: Plan) -> float:
@@ -147,15 +169,17 @@ def sweep_summary_text(found: Mapping[str, Any]) -> str:
     in_mode = f" in mode {found['mode']}" if "mode" in found else ""
     lines = [
         f"{found['mechanism']}{in_mode}: {found['cases']} cases{': ' if axes else ''}{axes}",
-        f"{found['reached']} can be assembled, {found['regular']} of them without passing a singularity, "
-        f"{found['allowed']} also within all limits",
+        f"{found['reached']} are reached straight from the start, {found['regular']} of them without passing a "
+        f"singularity, {found['allowed']} also within all limits",
     ]
     if "engine" in found:
         lines.append(f"computed by {found['engine']}")
     if "tilt" in found:
-        worst = found["tilt"]["every_direction"] * DEGREE
+        everywhere = "every_direction" in found["tilt"]
+        worst = found["tilt"]["every_direction" if everywhere else "directions_looked_at"] * DEGREE
+        where_to = "every direction" if everywhere else "the directions that were looked at, which are not all"
         where = found["tilt"]["azimuth"][int(np.argmin(found["tilt"]["reach"]))] * DEGREE
-        lines.append(f"tilt of {worst:.4g} degrees reached in every direction; least at azimuth {where:.4g} degrees")
+        lines.append(f"tilt of {worst:.4g} degrees reached in {where_to}; least at azimuth {where:.4g} degrees")
     if found["ranges"]:
         rows = [
             [name, *(f"{number:.6g}" for number in _without_noise(own, found)), own["unit"]]
