@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from symscrew.mobility.checks import Check, verified, verify
     from symscrew.mobility.components import (
         ALGEBRA_PROGRAM,
+        AllowedTime,
         ConfigurationSpace,
         NotAlgebraicError,
         NumericalSpace,
@@ -102,6 +103,7 @@ if TYPE_CHECKING:
 __all__ = [
     "ALGEBRA_PROGRAM",
     "FORMS",
+    "AllowedTime",
     "BodyFreedoms",
     "BranchTable",
     "Check",

@@ -7,6 +7,8 @@ Mechanism --limb_equations, closure_parts, several_bodies, algebraic_closure--> 
             from witness_sets by moving_sections of polynomials at many_points, and certified_points
 Network   --mode_sampling--> modes that random configurations show, where exact algebra does not end
 both      --component_texts--> words, JSON
+all of these --allowed_time--> seconds of the processor that are left
+what does not close --over_joints, counted_poses--> components over given coordinates
 polynomials --algebra_program--> what Singular says of them; plane_sections --> what is irreducible
 Network   --mode_connections--> assembly modes of the reference, paths between them without a singularity
 """
@@ -14,6 +16,7 @@ Network   --mode_connections--> assembly modes of the reference, paths between t
 from symscrew.mobility.components.algebra_program import ALGEBRA_PROGRAM, algebra_answer
 from symscrew.mobility.components.algebraic_closure import closure_equations
 from symscrew.mobility.components.all_components import ConfigurationSpace, configuration_space
+from symscrew.mobility.components.allowed_time import AllowedTime
 from symscrew.mobility.components.closure_parts import ClosureEquations, NotAlgebraicError
 from symscrew.mobility.components.component_parts import Part
 from symscrew.mobility.components.component_texts import (
@@ -44,6 +47,7 @@ from symscrew.mobility.components.numerical_decomposition import (
 __all__ = [
     "ALGEBRA_PROGRAM",
     "UNCHECKED",
+    "AllowedTime",
     "ClosureEquations",
     "ConfigurationSpace",
     "Mode",

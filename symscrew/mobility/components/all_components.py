@@ -23,6 +23,7 @@ import numpy as np
 
 from symscrew.description import Mechanism
 from symscrew.mobility.components.algebraic_closure import closure_equations
+from symscrew.mobility.components.allowed_time import AllowedTime
 from symscrew.mobility.components.charts import held_components
 from symscrew.mobility.components.closure_parts import ClosureEquations, NotAlgebraicError
 from symscrew.mobility.components.component_parts import Part, joined
@@ -79,16 +80,17 @@ class ConfigurationSpace:
 
 
 def configuration_space(mechanism: Mechanism, network: Network, seconds: float = SECONDS) -> ConfigurationSpace | str:
-    """The components, or why they are not decided; exact algebra is given up after so many seconds.
+    """The components, or why they are not decided; exact algebra is given up after so many seconds in all.
 
-    Loops that share no joint move independently: for each set of these it has so many seconds.
+    Loops that share no joint move independently: each set of these is decomposed for itself.
     """
+    allowed = AllowedTime(seconds)
     blocks = [block for block in blocks_of(network) if block.chords]
     if len(blocks) < 2:
         return _of_one(mechanism, network, seconds)
     spaces = list[ConfigurationSpace]()
     for block in blocks:
-        space = _of_one(mechanism, block, seconds)
+        space = _of_one(mechanism, block, allowed.left)
         if isinstance(space, str):
             return space
         spaces.append(space)
@@ -134,12 +136,13 @@ def _of_one(mechanism: Mechanism, network: Network, seconds: float) -> Configura
         closure = closure_equations(mechanism, network)
     except NotAlgebraicError as error:
         return f"not decided: {error}"
+    allowed = AllowedTime(seconds)
     exact = exact_parts(closure, seconds, local=True)
     if not exact.complete:
         return f"not decided: {exact.reason}"
     held = None  # what is no list of irreducible components would not be one with more of them
     if all(part.irreducible for part in exact.parts):
-        held = held_components(mechanism, network, closure, seconds)
+        held = held_components(mechanism, network, closure, allowed.left)
     parts = [*((part, closure) for part in exact.parts), *(held or ())]
     q = real_configurations(network)
     values = [_values(own, network, q) for _, own in parts]

@@ -225,21 +225,28 @@ def _over_joints(found: OverJoints) -> list[str]:
     head = (
         f"over given {', '.join(found.joints)}: {count} component{'s' * (count != 1)} of dimension {found.dimension} "
         f"on which these vary freely, {found.total} poses over the complex numbers for generic values (counted by "
-        f"{ALGEBRA_PROGRAM} modulo {found.primes} primes, all simple)"
+        f"{ALGEBRA_PROGRAM} modulo {found.primes} primes, all simple{_beside(found)})"
     )
     if found.reason:
         return [f"{head}; not decided: {found.reason}, so that there may be further components"]
     left = "their factors leave no other division" if found.irreducible else (
         f"the factors' degrees leave {', '.join(map(str, found.sums[1:-1])) or 'no'} poses of a component"
     )  # fmt: skip
-    lines = [f"{head}; all were found, {found.quiet} further loops joined no other; {left}"]
+    joined = f"{found.quiet} further loops joined no other; {left}" if count > 1 else "and joined by loops"
+    lines = [f"{head}; all were found, {joined}"]
     for part in found.parts:
         where = "through the reference" if part.through else "not through the reference, or it is singular"
         lines.append(
-            f"dimension {found.dimension}, {part.poses} poses for given joints, {where}, {part.on} real configurations"
+            f"dimension {found.dimension}, {part.poses} poses over each place, {where}, {part.on} real configurations"
             f"; {part.certified} certified (Krawczyk), all equations below {part.residual:.0e} there"
         )
     return lines
+
+
+def _beside(found: OverJoints) -> str:
+    """Which poses are not among those that were counted."""
+    sets = [" = ".join([*equations, "0"]) for equations in found.beside]
+    return f", those with {' or '.join(sets)} left out" if sets else ""
 
 
 def _over_values(found: OverJoints) -> dict[str, Any]:
@@ -247,6 +254,7 @@ def _over_values(found: OverJoints) -> dict[str, Any]:
         "joints": list(found.joints), "dimension": found.dimension, "poses": found.total, "primes": found.primes,
         "poses_of_one_component": list(found.sums), "factors_leave_no_other_division": found.irreducible,
         "all_poses_found": not found.reason, "not_done": found.reason, "loops_without_news": found.quiet,
+        "left_out": [[f"{e} = 0" for e in equations] for equations in found.beside],
         "components": [
             {"poses": p.poses, "through_reference": p.through, "real_configurations": p.on,
              "certified_points": p.certified, "largest_equation": p.residual}
