@@ -355,7 +355,7 @@ def test_the_third_mode_of_the_4_ruu_is_there_with_two_freedoms() -> None:
 def test_a_delta_with_ball_joints_translates_or_does_not() -> None:
     """Of its rods' 40 poses over given arm angles two are translations; factors modulo primes leave no other parts."""
     made = mechanism("delta_4s")
-    (space,) = numerical_components(made, network_of(made), 12.0)
+    (space,) = numerical_components(made, network_of(made), 3.0, over=30.0)
     (over,) = space.over
     assert isinstance(space, NumericalSpace) and not space.closed
     assert (over.total, over.joints, over.reason) == (40, ("B0", "B1", "B2"), "") and over.irreducible
