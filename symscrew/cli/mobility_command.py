@@ -81,8 +81,10 @@ def add_options(command: argparse.ArgumentParser) -> None:
 SECONDS = 60.0
 """Of the processor, for components: of 70 mechanisms of the literature none took more when stages had times of their
 own."""
-ALGEBRA, NUMBERS = 1 / 3, 1 / 3
+ALGEBRA, NUMBERS = 1 / 4, 1 / 3
 """Parts of this time for exact algebra and for the numerical decomposition; what is left is for given coordinates."""
+KEPT = 1 / 6
+"""Part of it that is left for configurations with zero parameters."""
 SHORTLY = 1 / 12
 """Part of it for both where modes are known: wholes that are decomposed at all then take a second or two."""
 Parts = tuple[list[str], dict[str, Any]]
@@ -237,6 +239,9 @@ def _components(found: Mobility, allowed: AllowedTime) -> tuple[Mobility, Parts]
         space_lines,
         space_values,
         with_components,
+        with_zero_parameters,
+        zero_lines,
+        zero_values,
     )
 
     curves = components_of(found.mechanism, found.network)
@@ -253,8 +258,9 @@ def _components(found: Mobility, allowed: AllowedTime) -> tuple[Mobility, Parts]
         return with_components(found, space), (space_lines(space), space_values(space))
     sets = () if isinstance(modes, str) else (*(mode.part for mode in modes.modes), *modes.unseen)
     first = allowed.at_most(numbers * whole)
+    over = max(0.0, allowed.left - first - KEPT * whole)
     numerical = numerical_components(
-        found.mechanism, found.network, first, over=allowed.left - first, beside=sets
+        found.mechanism, found.network, first, over=over, beside=sets
     )  # fmt: skip
     divided = [numerical] if isinstance(numerical, str) else numerical_lines(numerical)
     counted = numerical if isinstance(numerical, str) else numerical_values(numerical)
@@ -271,7 +277,9 @@ def _components(found: Mobility, allowed: AllowedTime) -> tuple[Mobility, Parts]
         return found, ([*lines, *pose_lines(modes)], {**values, "pose_modes": pose_values(modes)})
     seen = sampled_modes(found.network, found.platform.body)
     seen = judged_modes(found, seen) if found.in_reference else seen
-    return found, ([*lines, *mode_lines(seen)], {**values, "operation_modes": mode_values(seen)})
+    held = with_zero_parameters(found.mechanism, found.network, seen, allowed.at_most(algebra * whole))
+    lines = [*lines, *mode_lines(seen), *zero_lines(held)]
+    return found, (lines, {**values, "operation_modes": mode_values(seen), "zero_parameters": zero_values(held)})
 
 
 def _along_lines(found: Mobility) -> list[str]:

@@ -5,6 +5,7 @@ Mechanism --limb_equations, closure_parts, several_bodies, algebraic_closure--> 
           --parallel_axes, modes_of_poses--> where the whole does not end: sets of poses, proved, with real witnesses
           --numerical_decomposition--> where exact algebra does not end: components by their points on a section,
             from witness_sets by moving_sections of polynomials at many_points, and certified_points
+          --zero_parameters--> of these all with some parameters zero, one_root, exact_parts again
 Network   --mode_sampling--> modes that random configurations show, where exact algebra does not end
 both      --component_texts--> words, JSON
 all of these --allowed_time--> seconds of the processor that are left
@@ -29,6 +30,8 @@ from symscrew.mobility.components.component_texts import (
     pose_values,
     space_lines,
     space_values,
+    zero_lines,
+    zero_values,
 )
 from symscrew.mobility.components.mode_connections import (
     Mode,
@@ -43,6 +46,7 @@ from symscrew.mobility.components.numerical_decomposition import (
     NumericalSpace,
     numerical_components,
 )
+from symscrew.mobility.components.zero_parameters import ZeroParameters, with_zero_parameters
 
 __all__ = [
     "ALGEBRA_PROGRAM",
@@ -59,6 +63,7 @@ __all__ = [
     "PoseModes",
     "SampledMode",
     "SampledModes",
+    "ZeroParameters",
     "algebra_answer",
     "assembly_connections",
     "closure_equations",
@@ -75,4 +80,7 @@ __all__ = [
     "sampled_modes",
     "space_lines",
     "space_values",
+    "with_zero_parameters",
+    "zero_lines",
+    "zero_values",
 ]

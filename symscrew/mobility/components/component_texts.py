@@ -12,6 +12,7 @@ from symscrew.mobility.components.mode_sampling import SampledMode, SampledModes
 from symscrew.mobility.components.modes_of_poses import Motion, PoseMode, PoseModes
 from symscrew.mobility.components.numerical_decomposition import NumericalComponent, NumericalSpace
 from symscrew.mobility.components.over_joints import OverJoints
+from symscrew.mobility.components.zero_parameters import ZeroParameters
 
 MOST_SHOWN = 6
 """Equations of a component in words; all are in the JSON."""
@@ -23,6 +24,8 @@ ALONE = "irreducible in its dimension, while lower ones within it are not exclud
 """A part whose section is that of one component, and of which no more is known."""
 CERTIFIED = "a regular configuration of it is certified by intervals, with exactly this dimension"
 """Of a sampled mode: it is there, and as large as said; that it is one, and that there are no others, is sampled."""
+WHOLE = "a component of all configurations: at one of these, by the rank in doubles, no more moves"
+"""Of a component of configurations with zero parameters."""
 UNSETTLED = (
     "Not all joints are among the variables: components are of the body's poses, those that differ only in the limbs "
     "are one, motions of limbs with the body at rest are not listed, and what is listed may be beyond a limb's reach"
@@ -179,6 +182,39 @@ def pose_values(found: PoseModes) -> dict[str, Any]:
         "modes": modes, "unseen": [[f"{e} = 0" for e in part.equations] for part in found.unseen],
         **{f"beside_{name}": value for name, value in mode_values(found.others).items()},
     }  # fmt: skip
+
+
+def zero_lines(found: Sequence[ZeroParameters]) -> list[str]:
+    """A line for each set of parameters that are zero, and one for each component with them."""
+    lines = list[str]()
+    for one in found:
+        zeros = f"configurations with {' = '.join([*one.zeros, '0'])}"
+        if one.reason:
+            lines.append(f"{zeros}: not decided: {one.reason}")
+            continue
+        count = len(one.parts)
+        lines.append(
+            f"all {zeros}: {count} component{'s' * (count != 1)} (proved: minimal primes over {one.field} by exact "
+            f"algebra, {UNCHECKED}); degrees in {_variables(one.variables)}; over the complex numbers"
+        )
+        for held in one.parts:
+            rank = WHOLE if held.whole else "whether it is a component of all configurations is not known"
+            lines.append(f"{_line(held.part, f'{held.on} of {one.found}')}; {rank}")
+    return lines
+
+
+def zero_values(found: Sequence[ZeroParameters]) -> list[dict[str, Any]]:
+    """The same as JSON values."""
+    return [
+        {"zero": list(one.zeros), "decided": not one.reason, "why": one.reason, "field": one.field,
+         "proved_by": f"exact algebra, {UNCHECKED}", "all_joints_settled": one.settles,
+         "components": [
+             {"dimension": h.part.dimension, "degree": h.part.degree, "through_reference": h.part.through,
+              "irreducible": h.part.irreducible, "real_configurations": h.on, "component_of_all": h.whole,
+              "equations": [f"{e} = 0" for e in h.part.equations]}
+             for h in one.parts]}
+        for one in found
+    ]  # fmt: skip
 
 
 def numerical_lines(spaces: Sequence[NumericalSpace]) -> list[str]:

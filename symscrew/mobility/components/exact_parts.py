@@ -19,8 +19,9 @@ from typing import Any
 from symscrew.algebra import CONTEXT
 from symscrew.mobility.components.algebra_program import ALGEBRA_PROGRAM, algebra_answer
 from symscrew.mobility.components.allowed_time import AllowedTime
-from symscrew.mobility.components.closure_parts import ClosureEquations
+from symscrew.mobility.components.closure_parts import ClosureEquations, NotAlgebraicError
 from symscrew.mobility.components.component_parts import ExactParts, Part
+from symscrew.mobility.components.one_root import over_one_root
 from symscrew.mobility.components.plane_sections import Basis, Section, sections
 from symscrew.mobility.components.polynomials import Exponents, Polynomial
 from symscrew.mobility.symbols import exact_value, generator_itself
@@ -40,9 +41,10 @@ def exact_parts(closure: ClosureEquations, seconds: float = SECONDS, *, local: b
     All of it takes so many seconds of the processor: pieces first, half of the rest for sections of these.
     """
     allowed = AllowedTime(seconds)
-    generators = closure.field.generators
-    if len(generators) > 1:
-        return ExactParts((), False, f"the numbers are in {closure.field}: expected one root at most")
+    try:
+        closure = over_one_root(closure)
+    except NotAlgebraicError as error:
+        return ExactParts((), False, str(error))
     answer = algebra_answer(_pieces_script(closure), seconds)
     if answer is None:
         return ExactParts((), False, f"exact algebra needs the program {ALGEBRA_PROGRAM}, which is not on the path")
@@ -335,5 +337,6 @@ def _number(term: str, root: Any) -> Any:
 def _named(closure: ClosureEquations, equation: str) -> str:
     text = re.sub(r"v(\d+)", lambda m: closure.variables[int(m[1]) - 1], equation)
     for generator in closure.field.generators:
-        text = re.sub(r"\ba\b", str(generator.name), text)
+        name = str(generator.name)
+        text = re.sub(r"\ba\b", f"({name})" if " " in name else name, text)
     return text

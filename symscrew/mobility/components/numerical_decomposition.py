@@ -148,7 +148,7 @@ def numerical_components(
     spaces = list[NumericalSpace]()
     for block in blocks:
         try:
-            closure = _closure(mechanism, block)
+            closure = pose_equations(mechanism, block)
         except NotAlgebraicError as error:
             return f"no numerical decomposition: {error}"
         first = allowed.at_most(seconds)
@@ -159,7 +159,7 @@ def numerical_components(
     return tuple(spaces) or "no numerical decomposition: no loops"
 
 
-def _closure(mechanism: Mechanism, network: Network) -> ClosureEquations:
+def pose_equations(mechanism: Mechanism, network: Network) -> ClosureEquations:
     """The equations, of the pose alone where angles of ball joints would be among the variables: these are none."""
     closure = closure_equations(mechanism, network)
     if any(network.edges[length.joint].motions[0][0].spherical for length in closure.lengths):
