@@ -78,14 +78,14 @@ def add_options(command: argparse.ArgumentParser) -> None:
     add_no_cache(command)
 
 
-SECONDS = 60.0
+SECONDS = 75.0
 """Of the processor, for components: of 70 mechanisms of the literature none took more when stages had times of their
 own."""
-ALGEBRA, NUMBERS = 1 / 4, 1 / 3
+ALGEBRA, NUMBERS = 1 / 5, 4 / 15
 """Parts of this time for exact algebra and for the numerical decomposition; what is left is for given coordinates."""
-KEPT = 1 / 6
+KEPT = 2 / 15
 """Part of it that is left for configurations with zero parameters."""
-SHORTLY = 1 / 12
+SHORTLY = 1 / 15
 """Part of it for both where modes are known: wholes that are decomposed at all then take a second or two."""
 Parts = tuple[list[str], dict[str, Any]]
 """Components in words and as JSON values."""
