@@ -26,6 +26,8 @@ CERTIFIED = "a regular configuration of it is certified by intervals, with exact
 """Of a sampled mode: it is there, and as large as said; that it is one, and that there are no others, is sampled."""
 WHOLE = "a component of all configurations: at one of these, by the rank in doubles, no more moves"
 """Of a component of configurations with zero parameters."""
+UNREAL = "; no real configuration was found about which it has this dimension: its real points may have less"
+"""Of a component that may be complex but for points where others meet."""
 UNSETTLED = (
     "Not all joints are among the variables: components are of the body's poses, those that differ only in the limbs "
     "are one, motions of limbs with the body at rest are not listed, and what is listed may be beyond a limb's reach"
@@ -42,7 +44,11 @@ def space_lines(found: ConfigurationSpace) -> list[str]:
         f"{kinds} of the {found.subject}, {_extent(found)} ({judged} over {found.field} by exact algebra, "
         f"{UNCHECKED}); degrees in {_variables(found.variables)}; over the complex numbers"
     ]
-    lines += [_line(part, f"{on} of {found.found}") for part, on in zip(found.parts, found.on, strict=True)]
+    smooth = found.smooth or found.on
+    lines += [
+        _line(part, f"{on} of {found.found}") + ("" if real or not part.dimension else UNREAL)
+        for part, on, real in zip(found.parts, found.on, smooth, strict=True)
+    ]
     if not found.settles:
         lines.append(UNSETTLED)
     return [
@@ -87,8 +93,9 @@ def space_values(found: ConfigurationSpace) -> dict[str, Any]:
          "irreducible_in_its_dimension": p.irreducible or p.irreducible_in_its_dimension,
          "multiplicity_at_reference": p.multiplicity or None,
          "held": [{"joint": j, "angle": a} for j, a in p.held],
-         "real_configurations": on, "equations": [f"{e} = 0" for e in p.equations]}
-        for p, on in zip(found.parts, found.on, strict=True)
+         "real_configurations": on, "real_dimension_seen": bool(real),
+         "equations": [f"{e} = 0" for e in p.equations]}
+        for p, on, real in zip(found.parts, found.on, found.smooth or found.on, strict=True)
     ]  # fmt: skip
     return {
         "decided": True, "subject": found.subject, "variables": list(found.variables), "field": found.field,
