@@ -65,8 +65,8 @@ class ConfigurationSpace:
     that a component on all of which the joint stands at the angle would be missed; none where other charts have been
     decomposed, too; `reason`: what was not done, empty
     where all parts are irreducible; `found`: real configurations from random starts, without those near to no part of
-    which doubles do not tell where they are; `on`: how many of them lie on each part; `smooth`: about how many of these,
-    of a few that were looked at, the part's equations leave exactly its dimension, so that it has as many real ones.
+    which doubles do not tell where they are; `on`: how many of them lie on each part; `smooth`: about how many,
+    of a few that were looked at, its equations leave exactly its dimension, so that it has as many real ones.
     """
 
     subject: str
