@@ -27,7 +27,7 @@ from symscrew.whole_files import destination, write_text
 if TYPE_CHECKING:
     from symscrew.cli.same_files import Outcome
     from symscrew.description import Mechanism
-    from symscrew.mobility import Connections, Mobility
+    from symscrew.mobility import AllowedTime, Connections, Mobility
 
 EXAMPLES = (
     "symscrew mobility three_ups_upu_s",
@@ -61,6 +61,10 @@ def add_options(command: argparse.ArgumentParser) -> None:
         help="also the operation modes: components of the configuration space, exact by Singular, or numerical",
     )  # fmt: skip
     command.add_argument(
+        "--seconds", type=float, default=SECONDS, metavar="N",
+        help=f"of the processor that --components may take; what was found by then is said (default {SECONDS:g})",
+    )  # fmt: skip
+    command.add_argument(
         "--connections", action="store_true",
         help="also the assembly modes at the drives of the reference, and paths between them without a singularity",
     )  # fmt: skip
@@ -74,8 +78,15 @@ def add_options(command: argparse.ArgumentParser) -> None:
     add_no_cache(command)
 
 
-SHORTLY = 5.0
-"""Of the processor, for all components where modes are known: those that end at all take a second or two."""
+SECONDS = 75.0
+"""Of the processor, for components: of 70 mechanisms of the literature none took more when stages had times of their
+own."""
+ALGEBRA, NUMBERS = 1 / 5, 4 / 15
+"""Parts of this time for exact algebra and for the numerical decomposition; what is left is for given coordinates."""
+KEPT = 2 / 15
+"""Part of it that is left for configurations with zero parameters."""
+SHORTLY = 1 / 15
+"""Part of it for both where modes are known: wholes that are decomposed at all then take a second or two."""
 Parts = tuple[list[str], dict[str, Any]]
 """Components in words and as JSON values."""
 ASKED = ("tolerance", "body", "along", "connections", "expect", "full", "json")
@@ -98,6 +109,8 @@ def run(options: argparse.Namespace) -> int:
         if file:
             check_folder(Path(file).parent, option)
     check_expected(options)
+    if not options.seconds > 0:
+        raise UsageError(f"--seconds: expected seconds above 0, got {options.seconds:g}")
     if options.proof:
         destination(options.proof, (".json",), "--proof")
     mechanism = find_mechanism(options.mechanism)
@@ -140,17 +153,24 @@ def _made(
 ) -> Outcome:
     """Analysed and verified: what is said, the exit code and the report."""
     from symscrew.cli.same_files import Outcome
-    from symscrew.mobility import analyse_mobility, judged_connections, verified, with_rechecked_parts
+    from symscrew.mobility import (
+        AllowedTime,
+        analyse_mobility,
+        judged_connections,
+        verified,
+        with_rechecked_parts,
+    )
 
     found, checks = verified(analyse_mobility(mechanism, body=options.body, at=at, tolerance=options.tolerance))
     failed = [check.claim for check in checks if not check.holds]
+    allowed = AllowedTime(options.seconds)
     if options.components:
         found = with_rechecked_parts(found)
     ways = judged_connections(found) if options.connections else None
     proved = not options.proof or _proved(found, Path(options.proof), ways)
     parts: Parts | None = None
     if options.components:
-        found, parts = _components(found)
+        found, parts = _components(found, allowed)
     more = _more(found, options, parts, ways)
     text = _json(found, failed, options, more) if options.json else _words(found, failed, options, more)
     files = {} if writer is None else {"report": writer(found).encode()}
@@ -194,7 +214,7 @@ def _words(
     return "\n".join([*lines, _verdict(found, options.expect, failed)])
 
 
-def _components(found: Mobility) -> tuple[Mobility, Parts]:
+def _components(found: Mobility, allowed: AllowedTime) -> tuple[Mobility, Parts]:
     """(the result with what components prove of its branches, the components in words and as JSON values).
 
     Four-bars have a way of their own, which needs no program. Modes with parallel axes are soon found: where they are
@@ -219,33 +239,47 @@ def _components(found: Mobility) -> tuple[Mobility, Parts]:
         space_lines,
         space_values,
         with_components,
+        with_zero_parameters,
+        zero_lines,
+        zero_values,
     )
 
     curves = components_of(found.mechanism, found.network)
     if not isinstance(curves, str):
         return found, (component_lines(curves), component_values(curves))
-    modes = pose_modes(found.mechanism, found.network) if len(found.network.chords) > 1 else "not decided: one loop"
-    limit = {} if isinstance(modes, str) else {"seconds": SHORTLY}
-    space = configuration_space(found.mechanism, found.network, **limit)
+    several, known = len(found.network.chords) > 1, "not decided: one loop"
+    whole = allowed.seconds
+    modes = pose_modes(found.mechanism, found.network, allowed.at_most(whole / 6)) if several else known
+    algebra, numbers = (ALGEBRA, NUMBERS) if isinstance(modes, str) else (SHORTLY, SHORTLY)
+    space = configuration_space(found.mechanism, found.network, allowed.at_most(algebra * whole))
     if not found.network.chords:
         return found, ([str(space)], {"decided": False, "why": str(space)})
     if not isinstance(space, str) and space.proved:
         return with_components(found, space), (space_lines(space), space_values(space))
-    numerical = numerical_components(found.mechanism, found.network, **limit)
+    sets = () if isinstance(modes, str) else (*(mode.part for mode in modes.modes), *modes.unseen)
+    first = allowed.at_most(numbers * whole)
+    over = max(0.0, allowed.left - first - KEPT * whole)
+    numerical = numerical_components(
+        found.mechanism, found.network, first, over=over, beside=sets
+    )  # fmt: skip
     divided = [numerical] if isinstance(numerical, str) else numerical_lines(numerical)
-    numbers = numerical if isinstance(numerical, str) else numerical_values(numerical)
+    counted = numerical if isinstance(numerical, str) else numerical_values(numerical)
     if not isinstance(space, str):
-        parts = [*space_lines(space), *divided], {**space_values(space), "numerical": numbers}
+        parts = [*space_lines(space), *divided], {**space_values(space), "numerical": counted}
         return with_components(found, space), parts
-    lines, values = [space, *divided], {"decided": False, "why": space, "numerical": numbers}
-    if isinstance(modes, str) and len(found.network.chords) == 1:
-        modes = pose_modes(found.mechanism, found.network)
+    if allowed.over():
+        divided.append(f"the {whole:g} s of the processor are over; --seconds gives more")
+    lines, values = [space, *divided], {"decided": False, "why": space, "numerical": counted}
+    if isinstance(modes, str) and not several and not allowed.over():
+        modes = pose_modes(found.mechanism, found.network, allowed.at_most(whole / 6))
     if not isinstance(modes, str):
         modes = replace(modes, others=judged_modes(found, modes.others)) if found.in_reference else modes
         return found, ([*lines, *pose_lines(modes)], {**values, "pose_modes": pose_values(modes)})
     seen = sampled_modes(found.network, found.platform.body)
     seen = judged_modes(found, seen) if found.in_reference else seen
-    return found, ([*lines, *mode_lines(seen)], {**values, "operation_modes": mode_values(seen)})
+    held = with_zero_parameters(found.mechanism, found.network, seen, allowed.at_most(algebra * whole))
+    lines = [*lines, *mode_lines(seen), *zero_lines(held)]
+    return found, (lines, {**values, "operation_modes": mode_values(seen), "zero_parameters": zero_values(held)})
 
 
 def _along_lines(found: Mobility) -> list[str]:

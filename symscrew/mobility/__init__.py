@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from symscrew.mobility.checks import Check, verified, verify
     from symscrew.mobility.components import (
         ALGEBRA_PROGRAM,
+        AllowedTime,
         ConfigurationSpace,
         NotAlgebraicError,
         NumericalSpace,
@@ -55,6 +56,9 @@ if TYPE_CHECKING:
         sampled_modes,
         space_lines,
         space_values,
+        with_zero_parameters,
+        zero_lines,
+        zero_values,
     )
     from symscrew.mobility.configuration import Reached, with_parameters
     from symscrew.mobility.findings import (
@@ -102,6 +106,7 @@ if TYPE_CHECKING:
 __all__ = [
     "ALGEBRA_PROGRAM",
     "FORMS",
+    "AllowedTime",
     "BodyFreedoms",
     "BranchTable",
     "Check",
@@ -183,7 +188,10 @@ __all__ = [
     "with_components",
     "with_parameters",
     "with_rechecked_parts",
+    "with_zero_parameters",
     "write_proof",
+    "zero_lines",
+    "zero_values",
 ]
 
 __getattr__ = doors(__name__)

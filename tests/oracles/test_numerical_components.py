@@ -101,14 +101,15 @@ def test_points_over_a_variable_are_joined_where_they_are_of_one_component() -> 
     conic, cubic = of({(2, 0): 1, (0, 2): 2, (0, 0): -1}, {(3, 0): 1, (0, 2): -1, (1, 0): 1, (0, 0): 3})
     system = SquareSystem.of(ManyPoints.of([conic * cubic], np.ones(2)), 1, np.random.default_rng(1))
     random = np.random.default_rng(2)
-    seeds = np.array([[0.0, np.sqrt(0.5)], [0.0, np.sqrt(3)]])
-    section = Section(np.array([[1.0 + 0j, 0]]), np.zeros(1, dtype=complex))
+    seeds = np.array([[0.5, np.sqrt(0.375)], [0.5, np.sqrt(3.625)]])
+    section = Section(np.array([[1.0 + 0j, 0]]), np.full(1, 0.5 + 0j))
     other = section.another(random)
-    assert other.matrix[0, 1] == 0 != other.matrix[0, 0] != 1
+    assert other.matrix[0, 1] == 0 != other.matrix[0, 0] != 1 and other.right[0] not in (0, 0.5)
+    assert not Section(section.matrix, 0 * section.right).another(random).right.any()  # of a ratio
     sets, quiet = joined_sets(system, section, seeds, 4, random=random, spent=lambda: False)
     assert [(len(z), seeds) for z, seeds in sets] == [(2, (0,)), (2, (1,))] and quiet == 8
-    assert all(abs(z[:, 0]).max() < 1e-9 for z, _ in sets)
-    ends = iter([False] * 200 + [True] * 1000)
+    assert all(abs(z[:, 0] - 0.5).max() < 1e-9 for z, _ in sets)
+    ends = iter([False] * 1000 + [True] * 1000)
     sets, quiet = joined_sets(system, section, seeds, 5, random=random, spent=lambda: next(ends))
     assert sum(len(z) for z, _ in sets) == 4
 

@@ -26,6 +26,8 @@ from symscrew.mobility.components import (
     ConfigurationSpace,
     NumericalSpace,
     PoseModes,
+    SampledMode,
+    SampledModes,
     algebraic_closure,
     all_components,
     closure_equations,
@@ -36,6 +38,9 @@ from symscrew.mobility.components import (
     pose_lines,
     pose_modes,
     space_lines,
+    with_zero_parameters,
+    zero_lines,
+    zero_values,
 )
 from symscrew.mobility.components import charts as held_charts
 from symscrew.mobility.components.algebra_program import ALGEBRA_PROGRAM, algebra_answer
@@ -352,10 +357,29 @@ def test_the_third_mode_of_the_4_ruu_is_there_with_two_freedoms() -> None:
 
 
 @pytest.mark.slow
+def test_translations_of_a_delta_are_one_component() -> None:
+    """Proved, of what does not decompose as a whole; over given arms they are two poses, where three spheres meet."""
+    made = mechanism("delta_4s")
+    network = network_of(made)
+    mode = SampledMode(3, 3, ("x1", "x2", "x3", "y0"), 26, 1, through=True)
+    seen = SampledModes("plat", (mode, replace(mode, equations=("1/2*x0+x1",))), 1)
+    (held,) = with_zero_parameters(made, network, seen, 20.0)
+    (one,) = held.parts
+    assert held.zeros == ("x1", "x2", "x3", "y0") and not held.reason and one.whole and one.on
+    part = one.part
+    assert (part.dimension, part.degree, part.through, part.irreducible, part.multiplicity) == (3, 46, True, True, 1)
+    assert "a component of all configurations" in zero_lines([held])[1]
+    (late,) = with_zero_parameters(made, network, seen, 0.0)
+    assert not late.parts and "not decided: exact algebra did not end" in zero_lines([late])[0]
+    assert zero_values([held, late])[1] == {**zero_values([late])[0], "decided": False}
+    assert with_zero_parameters(made, network, replace(seen, body="base"), 1.0) == ()
+
+
+@pytest.mark.slow
 def test_a_delta_with_ball_joints_translates_or_does_not() -> None:
     """Of its rods' 40 poses over given arm angles two are translations; factors modulo primes leave no other parts."""
     made = mechanism("delta_4s")
-    (space,) = numerical_components(made, network_of(made), 12.0)
+    (space,) = numerical_components(made, network_of(made), 3.0, over=30.0)
     (over,) = space.over
     assert isinstance(space, NumericalSpace) and not space.closed
     assert (over.total, over.joints, over.reason) == (40, ("B0", "B1", "B2"), "") and over.irreducible

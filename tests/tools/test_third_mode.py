@@ -24,7 +24,15 @@ import numpy as np
 import pytest
 from support.parallel_mechanisms import four_ruu
 
-from symscrew.mobility.components import ALGEBRA_PROGRAM, algebra_answer
+from symscrew.mobility.components import (
+    ALGEBRA_PROGRAM,
+    AllowedTime,
+    algebra_answer,
+    closure_equations,
+    pose_modes,
+)
+from symscrew.mobility.components.component_parts import linear_equations
+from symscrew.mobility.components.counted_poses import choices, counted_poses
 from symscrew.mobility.components.plane_sections import sums_of
 from symscrew.mobility.components.real_configurations import real_configurations
 from symscrew.mobility.finite import ClosureVariety
@@ -107,6 +115,22 @@ def test_as_many_poses_wherever_the_ratios_are() -> None:
     for prime, ratios in zip(PRIMES, ((2, 5), (3, 7), (11, 4), (8, 29)), strict=True):
         count, degrees = factors(prime, FORMS["all"], ratios)
         assert count == sum(degrees) == POSES
+
+
+@pytest.mark.slow
+def test_the_package_counts_the_same_limb_by_limb_beside_the_known_modes() -> None:
+    """Without the known modes left out there are endlessly many, and no count."""
+    made = four_ruu()
+    network = network_of(made)
+    closure, modes = closure_equations(made, network), pose_modes(made, network)
+    assert not isinstance(modes, str) and len(modes.modes) == 2
+    beside = [linear_equations(mode.part) for mode in modes.modes]
+    assert sorted(beside) == [("x2", "x1"), ("x3", "x0")]
+    ratios = next(chosen for chosen in choices(closure, 2) if chosen[0].over is not None)
+    assert [ratio.name(closure) for ratio in ratios] == ["x3 : x0", "x2 : x1"]
+    found = counted_poses(closure, ratios, 1, beside=beside, allowed=AllowedTime(30.0))
+    assert found is not None and found.total == POSES
+    assert counted_poses(closure, ratios, 1, beside=beside[:1], allowed=AllowedTime(3.0)) is None
 
 
 @pytest.mark.parametrize("form", ["mirrored", "turned", "both"])

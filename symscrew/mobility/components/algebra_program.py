@@ -18,10 +18,15 @@ BACKSTOP = 15
 
 
 def algebra_answer(script: str, seconds: float) -> tuple[str, bool] | None:
-    """What Singular prints within so many seconds of the processor, and whether it came to `@end`; None without it."""
+    """What Singular prints within so many seconds of the processor, and whether it came to `@end`; None without it.
+
+    Whole seconds where the system counts these: one more at most. Without any it is not begun.
+    """
     program = shutil.which(ALGEBRA_PROGRAM)
     if program is None:
         return None
+    if seconds <= 0:
+        return "", False
     command, clock = [program, "--quiet", "--no-rc"], seconds
     shell = shutil.which("sh")
     if shell is not None:  # what sets limits wherever there is one; it counts whole seconds

@@ -15,6 +15,7 @@ from math import isfinite
 
 from symscrew.description import Mechanism
 from symscrew.mobility.components.algebraic_closure import closure_equations
+from symscrew.mobility.components.allowed_time import AllowedTime
 from symscrew.mobility.components.closure_parts import CHARTS, ClosureEquations, Length
 from symscrew.mobility.components.component_parts import Part
 from symscrew.mobility.components.exact_parts import exact_parts
@@ -31,14 +32,15 @@ HeldPart = tuple[Part, ClosureEquations]
 def held_components(
     mechanism: Mechanism, network: Network, closure: ClosureEquations, seconds: float
 ) -> list[HeldPart] | None:
-    """The components that the closure's own chart lacks; None where that is not decided."""
+    """The components that the closure's own chart lacks; None where that is not decided in so many seconds."""
+    allowed = AllowedTime(seconds)
     places = [k for k, length in enumerate(closure.lengths) if turning(length)]
     if len(places) >= len(CHARTS):
         return None
     found: dict[tuple[object, ...], list[HeldPart]] = {}
     for chart in range(1, len(places) + 1):
         other = closure_equations(mechanism, network, chart)
-        exact = exact_parts(other, seconds)
+        exact = exact_parts(other, allowed.left)
         if not exact.complete or not all(part.irreducible for part in exact.parts):
             return None
         here: dict[tuple[object, ...], list[HeldPart]] = {}

@@ -35,6 +35,12 @@ class Part:
     irreducible_in_its_dimension: bool = False
 
 
+def linear_equations(part: Part) -> tuple[str, ...]:
+    """Those of degree one, which hold on the part and maybe more; all where there are none."""
+    both = zip(part.equations, part.polynomials, strict=True)
+    return tuple(e for e, p in both if max(map(sum, p)) == 1) or part.equations
+
+
 @dataclass(frozen=True)
 class ExactParts:
     """All components, or why there are none; `complete`: whether their union is proved to be all configurations."""

@@ -12,6 +12,7 @@ from symscrew.mobility.components.mode_sampling import SampledMode, SampledModes
 from symscrew.mobility.components.modes_of_poses import Motion, PoseMode, PoseModes
 from symscrew.mobility.components.numerical_decomposition import NumericalComponent, NumericalSpace
 from symscrew.mobility.components.over_joints import OverJoints
+from symscrew.mobility.components.zero_parameters import ZeroParameters
 
 MOST_SHOWN = 6
 """Equations of a component in words; all are in the JSON."""
@@ -23,6 +24,10 @@ ALONE = "irreducible in its dimension, while lower ones within it are not exclud
 """A part whose section is that of one component, and of which no more is known."""
 CERTIFIED = "a regular configuration of it is certified by intervals, with exactly this dimension"
 """Of a sampled mode: it is there, and as large as said; that it is one, and that there are no others, is sampled."""
+WHOLE = "a component of all configurations: at one of these, by the rank in doubles, no more moves"
+"""Of a component of configurations with zero parameters."""
+UNREAL = "; no real configuration was found about which it has this dimension: its real points may have less"
+"""Of a component that may be complex but for points where others meet."""
 UNSETTLED = (
     "Not all joints are among the variables: components are of the body's poses, those that differ only in the limbs "
     "are one, motions of limbs with the body at rest are not listed, and what is listed may be beyond a limb's reach"
@@ -39,7 +44,11 @@ def space_lines(found: ConfigurationSpace) -> list[str]:
         f"{kinds} of the {found.subject}, {_extent(found)} ({judged} over {found.field} by exact algebra, "
         f"{UNCHECKED}); degrees in {_variables(found.variables)}; over the complex numbers"
     ]
-    lines += [_line(part, f"{on} of {found.found}") for part, on in zip(found.parts, found.on, strict=True)]
+    smooth = found.smooth or found.on
+    lines += [
+        _line(part, f"{on} of {found.found}") + ("" if real or not part.dimension else UNREAL)
+        for part, on, real in zip(found.parts, found.on, smooth, strict=True)
+    ]
     if not found.settles:
         lines.append(UNSETTLED)
     return [
@@ -84,8 +93,9 @@ def space_values(found: ConfigurationSpace) -> dict[str, Any]:
          "irreducible_in_its_dimension": p.irreducible or p.irreducible_in_its_dimension,
          "multiplicity_at_reference": p.multiplicity or None,
          "held": [{"joint": j, "angle": a} for j, a in p.held],
-         "real_configurations": on, "equations": [f"{e} = 0" for e in p.equations]}
-        for p, on in zip(found.parts, found.on, strict=True)
+         "real_configurations": on, "real_dimension_seen": bool(real),
+         "equations": [f"{e} = 0" for e in p.equations]}
+        for p, on, real in zip(found.parts, found.on, found.smooth or found.on, strict=True)
     ]  # fmt: skip
     return {
         "decided": True, "subject": found.subject, "variables": list(found.variables), "field": found.field,
@@ -181,6 +191,39 @@ def pose_values(found: PoseModes) -> dict[str, Any]:
     }  # fmt: skip
 
 
+def zero_lines(found: Sequence[ZeroParameters]) -> list[str]:
+    """A line for each set of parameters that are zero, and one for each component with them."""
+    lines = list[str]()
+    for one in found:
+        zeros = f"configurations with {' = '.join([*one.zeros, '0'])}"
+        if one.reason:
+            lines.append(f"{zeros}: not decided: {one.reason}")
+            continue
+        count = len(one.parts)
+        lines.append(
+            f"all {zeros}: {count} component{'s' * (count != 1)} (proved: minimal primes over {one.field} by exact "
+            f"algebra, {UNCHECKED}); degrees in {_variables(one.variables)}; over the complex numbers"
+        )
+        for held in one.parts:
+            rank = WHOLE if held.whole else "whether it is a component of all configurations is not known"
+            lines.append(f"{_line(held.part, f'{held.on} of {one.found}')}; {rank}")
+    return lines
+
+
+def zero_values(found: Sequence[ZeroParameters]) -> list[dict[str, Any]]:
+    """The same as JSON values."""
+    return [
+        {"zero": list(one.zeros), "decided": not one.reason, "why": one.reason, "field": one.field,
+         "proved_by": f"exact algebra, {UNCHECKED}", "all_joints_settled": one.settles,
+         "components": [
+             {"dimension": h.part.dimension, "degree": h.part.degree, "through_reference": h.part.through,
+              "irreducible": h.part.irreducible, "real_configurations": h.on, "component_of_all": h.whole,
+              "equations": [f"{e} = 0" for e in h.part.equations]}
+             for h in one.parts]}
+        for one in found
+    ]  # fmt: skip
+
+
 def numerical_lines(spaces: Sequence[NumericalSpace]) -> list[str]:
     """A line for each component by numerical decomposition, and what it rests on."""
     return [line for space in spaces for line in _numerical_space(space)]
@@ -225,21 +268,28 @@ def _over_joints(found: OverJoints) -> list[str]:
     head = (
         f"over given {', '.join(found.joints)}: {count} component{'s' * (count != 1)} of dimension {found.dimension} "
         f"on which these vary freely, {found.total} poses over the complex numbers for generic values (counted by "
-        f"{ALGEBRA_PROGRAM} modulo {found.primes} primes, all simple)"
+        f"{ALGEBRA_PROGRAM} modulo {found.primes} primes, all simple{_beside(found)})"
     )
     if found.reason:
         return [f"{head}; not decided: {found.reason}, so that there may be further components"]
     left = "their factors leave no other division" if found.irreducible else (
         f"the factors' degrees leave {', '.join(map(str, found.sums[1:-1])) or 'no'} poses of a component"
     )  # fmt: skip
-    lines = [f"{head}; all were found, {found.quiet} further loops joined no other; {left}"]
+    joined = f"{found.quiet} further loops joined no other; {left}" if count > 1 else "and joined by loops"
+    lines = [f"{head}; all were found, {joined}"]
     for part in found.parts:
         where = "through the reference" if part.through else "not through the reference, or it is singular"
         lines.append(
-            f"dimension {found.dimension}, {part.poses} poses for given joints, {where}, {part.on} real configurations"
+            f"dimension {found.dimension}, {part.poses} poses over each place, {where}, {part.on} real configurations"
             f"; {part.certified} certified (Krawczyk), all equations below {part.residual:.0e} there"
         )
     return lines
+
+
+def _beside(found: OverJoints) -> str:
+    """Which poses are not among those that were counted."""
+    sets = [" = ".join([*equations, "0"]) for equations in found.beside]
+    return f", those with {' or '.join(sets)} left out" if sets else ""
 
 
 def _over_values(found: OverJoints) -> dict[str, Any]:
@@ -247,6 +297,7 @@ def _over_values(found: OverJoints) -> dict[str, Any]:
         "joints": list(found.joints), "dimension": found.dimension, "poses": found.total, "primes": found.primes,
         "poses_of_one_component": list(found.sums), "factors_leave_no_other_division": found.irreducible,
         "all_poses_found": not found.reason, "not_done": found.reason, "loops_without_news": found.quiet,
+        "left_out": [[f"{e} = 0" for e in equations] for equations in found.beside],
         "components": [
             {"poses": p.poses, "through_reference": p.through, "real_configurations": p.on,
              "certified_points": p.certified, "largest_equation": p.residual}

@@ -18,23 +18,33 @@ from typing import Any
 
 from symscrew.algebra import CONTEXT
 from symscrew.mobility.components.algebra_program import ALGEBRA_PROGRAM, algebra_answer
-from symscrew.mobility.components.closure_parts import ClosureEquations
+from symscrew.mobility.components.allowed_time import AllowedTime
+from symscrew.mobility.components.closure_parts import ClosureEquations, NotAlgebraicError
 from symscrew.mobility.components.component_parts import ExactParts, Part
+from symscrew.mobility.components.one_root import over_one_root
 from symscrew.mobility.components.plane_sections import Basis, Section, sections
 from symscrew.mobility.components.polynomials import Exponents, Polynomial
 from symscrew.mobility.symbols import exact_value, generator_itself
 
 SECONDS = 20.0
-"""Of the processor, for one decomposition. Those of the literature here end in a tenth of it, or not in hours."""
+"""Of the processor, for one decomposition, all of it. Those of the literature here end in a tenth of it, or not in
+hours."""
+SECTIONS = 0.5
+"""Part of the time left that sections of pieces may take: those that they show to be one need no division."""
 AWAY = 2
 """In a part's mark: it lies where no configuration is."""
 
 
 def exact_parts(closure: ClosureEquations, seconds: float = SECONDS, *, local: bool = False) -> ExactParts:
-    """The components of all configurations over the field of the description; `local`: with their multiplicities."""
-    generators = closure.field.generators
-    if len(generators) > 1:
-        return ExactParts((), False, f"the numbers are in {closure.field}: expected one root at most")
+    """The components of all configurations over the field of the description; `local`: with their multiplicities.
+
+    All of it takes so many seconds of the processor: pieces first, half of the rest for sections of these.
+    """
+    allowed = AllowedTime(seconds)
+    try:
+        closure = over_one_root(closure)
+    except NotAlgebraicError as error:
+        return ExactParts((), False, str(error))
     answer = algebra_answer(_pieces_script(closure), seconds)
     if answer is None:
         return ExactParts((), False, f"exact algebra needs the program {ALGEBRA_PROGRAM}, which is not on the path")
@@ -42,16 +52,22 @@ def exact_parts(closure: ClosureEquations, seconds: float = SECONDS, *, local: b
     if REFUSED.search(first):
         return ExactParts((), False, f"{ALGEBRA_PROGRAM} did not accept the equations")
     if not split:
-        return ExactParts((), False, f"exact algebra did not end within {seconds:g} s of the processor")
+        return ExactParts((), False, not_ended(seconds))
     bases = {**_bases(first), **_bases(saturated)}
     bases = {k: basis for k, basis in bases.items() if basis.equations != ("1",)}
     apart = {int(k) for k in re.findall(r"^@apart (\d+)$", saturated, re.MULTILINE)}
-    known = _irreducible(closure, {k: b for k, b in bases.items() if k in apart or not closure.excluded}, seconds)
+    known = _irreducible(closure, {k: b for k, b in bases.items() if k in apart or not closure.excluded},
+                         allowed.left * SECTIONS)  # fmt: skip
     script = _division_script(closure, bases, {k for k, section in known.items() if section.pure}, local=local)
-    answer = algebra_answer(script, seconds)
+    answer = algebra_answer(script, allowed.left)
     if answer is None:  # it was there a moment ago
         return ExactParts((), False, f"exact algebra needs the program {ALGEBRA_PROGRAM}, which is not on the path")
     return _read(closure, answer[0], known.keys(), ended=answer[1], seconds=seconds)
+
+
+def not_ended(seconds: float) -> str:
+    """Why there is no answer."""
+    return f"exact algebra did not end within {seconds:.3g} s of the processor"
 
 
 REFUSED = re.compile(r"^ *\? ", re.MULTILINE)
@@ -246,7 +262,7 @@ def _read(
         return ExactParts((), False, f"{ALGEBRA_PROGRAM} did not accept the equations")
     first, split, second = output.partition("@pieces")
     if not split:
-        return ExactParts((), False, f"exact algebra did not end within {seconds:g} s of the processor")
+        return ExactParts((), False, not_ended(seconds))
     pieces = {number: part for number, part, away in printed_parts(closure, first, prime=False) if not away}
     primes = {number: part for number, part, away in printed_parts(closure, second, prime=True) if not away}
     marks: dict[str, list[list[int]]] = {}
@@ -257,7 +273,7 @@ def _read(
     dropped = {mark for (mark,) in marks.get("drop", [])} | {mark for mark, k in marks.get("inside", []) if k in left}
     several = {numbers[0]: numbers[1] for numbers in marks.get("local", [])}
     kept = [replace(part, multiplicity=several.get(k, 0)) for k, part in primes.items() if k not in dropped]
-    reason = "" if ended else f"not divided to the end within {seconds:g} s of the processor"
+    reason = "" if ended else f"not divided to the end within {seconds:.3g} s of the processor"
     parts = sorted([*kept, *left.values()], key=lambda part: (-part.dimension, part.degree, part.equations))
     return ExactParts(tuple(parts), True, reason)
 
@@ -321,5 +337,6 @@ def _number(term: str, root: Any) -> Any:
 def _named(closure: ClosureEquations, equation: str) -> str:
     text = re.sub(r"v(\d+)", lambda m: closure.variables[int(m[1]) - 1], equation)
     for generator in closure.field.generators:
-        text = re.sub(r"\ba\b", str(generator.name), text)
+        name = str(generator.name)
+        text = re.sub(r"\ba\b", f"({name})" if " " in name else name, text)
     return text

@@ -21,7 +21,7 @@ from symscrew.mobility.components.all_components import ON, on_part
 from symscrew.mobility.components.closure_parts import ClosureEquations, NotAlgebraicError
 from symscrew.mobility.components.component_parts import Part
 from symscrew.mobility.components.mode_sampling import SampledModes, freedoms_at, sampled_modes
-from symscrew.mobility.components.parallel_axes import modes_of_axes
+from symscrew.mobility.components.parallel_axes import SECONDS, modes_of_axes
 from symscrew.mobility.components.real_configurations import body_pose, real_configurations
 from symscrew.mobility.finite import ClosureVariety
 from symscrew.mobility.joint_network import Network
@@ -81,13 +81,16 @@ class PoseModes:
     found: int
 
 
-def pose_modes(mechanism: Mechanism, network: Network) -> PoseModes | str:
-    """The modes in which outer axes of limbs stay parallel, and what else is seen; or why none are known."""
+def pose_modes(mechanism: Mechanism, network: Network, seconds: float = SECONDS) -> PoseModes | str:
+    """The modes in which outer axes of limbs stay parallel, and what else is seen; or why none are known.
+
+    Exact algebra is given up after so many seconds of the processor.
+    """
     try:
         closure = closure_equations(mechanism, network, fewest=True)
         if not closure.body:
             return "not decided: the closure is of the angles of all bodies"
-        parts = modes_of_axes(mechanism, network, closure)
+        parts = modes_of_axes(mechanism, network, closure, seconds)
     except NotAlgebraicError as error:
         return f"not decided: {error}"
     if isinstance(parts, str):

@@ -58,9 +58,12 @@ class Section:
         return Section(self.matrix[paths], self.right[paths])
 
     def another(self, random: np.random.Generator) -> Section:
-        """A random one of the same kind: variables that are in none of its equations, or not in one, stay out of it."""
+        """A random one of the same kind: variables that are in none of its equations, or not in one, stay out of it.
+
+        Equations that have no constant, by which ratios are fixed, have none.
+        """
         numbers = complex_numbers(random, *self.matrix.shape) * (self.matrix != 0)
-        return Section(numbers, complex_numbers(random, len(self.right)))
+        return Section(numbers, complex_numbers(random, len(self.right)) * (self.right != 0))
 
 
 @dataclass(frozen=True, eq=False)

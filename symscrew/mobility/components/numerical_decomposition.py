@@ -12,8 +12,7 @@ over given joint angles (`over_joints`).
 
 from __future__ import annotations
 
-import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -21,8 +20,10 @@ import numpy as np
 
 from symscrew.description import Mechanism
 from symscrew.mobility.components.algebraic_closure import closure_equations
+from symscrew.mobility.components.allowed_time import AllowedTime
 from symscrew.mobility.components.certified_points import refined, trace_in_digits
 from symscrew.mobility.components.closure_parts import ClosureEquations, NotAlgebraicError
+from symscrew.mobility.components.component_parts import Part, linear_equations
 from symscrew.mobility.components.deflation import deflated, made_regular, ranks_of
 from symscrew.mobility.components.many_points import ManyPoints
 from symscrew.mobility.components.moving_sections import (
@@ -64,8 +65,6 @@ NOTHING = 1e-6
 """Of the largest of all values: a variable below it is rounding of zero at singular configurations, unit one."""
 APART = 1e-6
 """Isolated configurations that differ by more are two."""
-OVER = 1.0
-"""Times the time of the decomposition that components over given joints may take, where that has not closed."""
 LOOPING, JOINING = 0.75, 0.85
 """Parts of the time after which no further points are looked for, and those that were found not joined once more."""
 ENDS = (1e-2, 1e-4, 1e-6)
@@ -132,25 +131,35 @@ class NumericalSpace:
 
 
 def numerical_components(
-    mechanism: Mechanism, network: Network, seconds: float = SECONDS
+    mechanism: Mechanism,
+    network: Network,
+    seconds: float = SECONDS,
+    *,
+    over: float | None = None,
+    beside: Sequence[Part] = (),
 ) -> tuple[NumericalSpace, ...] | str:
-    """The components of each set of loops that share no joint with others, or why there are none."""
+    """The components of each set of loops that share no joint with others, or why there are none.
+
+    In so many seconds of the processor for all, and as many again, or `over`, for those over given coordinates, which
+    have no points on known sets of poses, `beside`.
+    """
+    blocks, over = [block for block in blocks_of(network) if block.chords], seconds if over is None else over
+    allowed, known = AllowedTime(seconds + over), [(part.dimension, linear_equations(part)) for part in beside]
     spaces = list[NumericalSpace]()
-    for block in blocks_of(network):
-        if not block.chords:
-            continue
+    for block in blocks:
         try:
-            closure = _closure(mechanism, block)
+            closure = pose_equations(mechanism, block)
         except NotAlgebraicError as error:
             return f"no numerical decomposition: {error}"
-        found = decomposed(closure, block, seconds)
+        first = allowed.at_most(seconds)
+        found = decomposed(closure, block, (first, min(over, allowed.left - first)), beside=known)
         if found is None:
             return "no numerical decomposition: random starts came to no configuration whose place doubles tell"
         spaces.append(found)
     return tuple(spaces) or "no numerical decomposition: no loops"
 
 
-def _closure(mechanism: Mechanism, network: Network) -> ClosureEquations:
+def pose_equations(mechanism: Mechanism, network: Network) -> ClosureEquations:
     """The equations, of the pose alone where angles of ball joints would be among the variables: these are none."""
     closure = closure_equations(mechanism, network)
     if any(network.edges[length.joint].motions[0][0].spherical for length in closure.lengths):
@@ -158,12 +167,23 @@ def _closure(mechanism: Mechanism, network: Network) -> ClosureEquations:
     return closure
 
 
-def decomposed(closure: ClosureEquations, network: Network, seconds: float = SECONDS) -> NumericalSpace | None:
-    """The components that real configurations lie on; None where none of these were found."""
-    begun = time.process_time()
+def decomposed(
+    closure: ClosureEquations,
+    network: Network,
+    times: tuple[float, float],
+    *,
+    beside: Sequence[tuple[int, Sequence[str]]] = (),
+) -> NumericalSpace | None:
+    """The components that real configurations lie on; None where none of these were found.
+
+    `times`: for them, and for those over given coordinates where these have not closed, `beside` sets of more
+    dimensions with these equations.
+    """
+    seconds, over_seconds = times
+    begun = AllowedTime(seconds)
     values, vague = _found_points(closure, network)
     if not len(values):
-        return _deflated(closure, vague, _limit(begun, seconds))
+        return _deflated(closure, vague, begun.over)
     blurred = len(vague)
     polynomials = ManyPoints.of(closure.equations, _units(closure, values))
     z = _closer(polynomials, values / polynomials.sizes)
@@ -174,7 +194,7 @@ def decomposed(closure: ClosureEquations, network: Network, seconds: float = SEC
     placed, components = ranks == cone, list[NumericalComponent]()
     several = sorted({int(s) for s in ranks[:-1] if s > cone}, reverse=True)
     for number, size in enumerate(several):  # each has the same time
-        work = _Dimension(polynomials, size, _limit(begun, seconds * (number + 1) / len(several)))
+        work = _Dimension(polynomials, size, _late(begun, (number + 1) / len(several)))
         who = np.flatnonzero(ranks == size)
         sets, known = work.sets(points[who])
         placed[who[known]] = True
@@ -190,20 +210,21 @@ def decomposed(closure: ClosureEquations, network: Network, seconds: float = SEC
             components.append(replace(part, on=len(on - {len(z)}), through=through))
     components.sort(key=lambda c: (-c.dimension, c.degree, -c.on))
     least = min((c.dimension for c in components), default=0) + cone
-    late = time.process_time() - begun > LOOPING * seconds
+    late = begun.over(LOOPING)
     done = all(c.closed for c in components) and not (late and not placed.all())
     over = list[OverJoints]()
     if not done:
-        spent = _limit(time.process_time(), OVER * seconds)
+        allowed = AllowedTime(over_seconds)
         for size in several:
+            larger = [equations for dimension, equations in beside if dimension > size - cone]
             found = over_joints(closure, polynomials, points[ranks == size], size - cone,
-                                spent=lambda: spent(1.0), reference=bool(ranks[-1] == size))  # fmt: skip
+                                allowed=allowed, reference=bool(ranks[-1] == size), beside=larger)  # fmt: skip
             over += [found] if found is not None else []
     return NumericalSpace(
         closure.subject, closure.variables, str(closure.field), tuple(components), len(z) + blurred,
         _different(z[ranks[:-1] == cone], closure), int((~placed[:-1]).sum()) + blurred,
         len(closure.equations) > len(closure.variables) - least, closure.settles,
-        "" if done else f"not all points were found within {seconds:g} s of the processor", tuple(over),
+        "" if done else f"not all points were found within {seconds:.3g} s of the processor", tuple(over),
     )  # fmt: skip
 
 
@@ -312,8 +333,9 @@ class _Dimension:
         return True if away[-1] < COMES * away[0] and away[-1] < NEAR else None
 
 
-def _limit(begun: float, until: float) -> Callable[[float], bool]:
-    return lambda part: time.process_time() - begun > part * until
+def _late(allowed: AllowedTime, share: float) -> Callable[[float], bool]:
+    """Whether a part of this share of the time is over."""
+    return lambda part: allowed.over(part * share)
 
 
 def _found_points(closure: ClosureEquations, network: Network) -> tuple[Array, Array]:

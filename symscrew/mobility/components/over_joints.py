@@ -1,6 +1,6 @@
-"""Components over given joint angles: all poses there, counted modulo primes, and which of them are of one component.
+"""Components over given coordinates: all poses there, counted modulo primes, and which of them are of one component.
 
-    some joints' variables fixed at random, modulo primes --Singular--> how many poses, degrees of their factors
+    some joints' variables, or ratios of x, fixed at random, modulo primes --counted_poses--> how many, their factors
     real configurations moved to one such place --the place moves round loops--> poses, joined where of one component
 
 A generic section in all variables has hundreds of points where one in the joints' variables alone has forty: of a delta
@@ -12,18 +12,24 @@ degrees, for every prime (`plane_sections`).
 
 from __future__ import annotations
 
-import random
-import re
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import combinations, islice
 from typing import Any
 
 import numpy as np
 
-from symscrew.mobility.components.algebra_program import algebra_answer
+from symscrew.mobility.components.allowed_time import AllowedTime
 from symscrew.mobility.components.certified_points import refined
 from symscrew.mobility.components.closure_parts import ClosureEquations
+from symscrew.mobility.components.counted_poses import (
+    Coordinate,
+    Counted,
+    are_independent,
+    by_further_primes,
+    choices,
+    counted_poses,
+    rows_at,
+)
 from symscrew.mobility.components.many_points import ManyPoints
 from symscrew.mobility.components.moving_sections import (
     Section,
@@ -31,21 +37,13 @@ from symscrew.mobility.components.moving_sections import (
     complex_numbers,
     moved_points,
 )
-from symscrew.mobility.components.plane_sections import places_modulo, sums_of
-from symscrew.mobility.components.polynomials import Polynomial
-from symscrew.mobility.components.witness_sets import AGAIN, joined_sets
+from symscrew.mobility.components.plane_sections import sums_of
+from symscrew.mobility.components.witness_sets import AGAIN, SAME, joined_sets
 
 Array = np.ndarray[Any, Any]
 
-PRIMES, FEWEST = 16, 2
-"""Primes at most, and those that have to count the same: a pair of poses is parted by one prime in two, so that what
-sums sixteen leave open are probably components."""
-SECONDS = 4.0
-"""Of the processor, for a prime: forty poses take half a second."""
-MOST_CHOICES = 64
-"""Choices of joints that are tried: the first of each limb, which mostly are independent, are among the first."""
-SINGULAR = 1e-4
-"""Quotient of singular values of the equations with some variables fixed, below which these are not independent."""
+FEWEST = 2
+"""Primes that have to count the same."""
 ZERO = 1e-8
 """Of equations with coefficients about one, at a point that was followed."""
 SEED = 20231009
@@ -68,11 +66,13 @@ class PosesOfOne:
 
 @dataclass(frozen=True)
 class OverJoints:
-    """All components of a dimension over which some joints vary freely.
+    """All components of a dimension over which some coordinates vary freely.
 
-    `joints`: the freedoms that are fixed; `total`: poses over generic values of them, over the complex numbers;
+    `joints`: the freedoms, or ratios of Study's x, that are fixed; `total`: poses over generic values of them, over the
+    complex numbers;
     `sums`: how many of them a component over the field can have, by the factors modulo so many `primes`; `quiet`: loops
-    after the last that joined or found something; `reason`: why the parts are not all, else empty.
+    after the last that joined or found something; `reason`: why the parts are not all, else empty; `beside`:
+    equations of the known sets, of more dimensions, whose poses are left out.
     """
 
     dimension: int
@@ -83,6 +83,7 @@ class OverJoints:
     parts: tuple[PosesOfOne, ...]
     quiet: int
     reason: str
+    beside: tuple[tuple[str, ...], ...] = ()
 
     @property
     def irreducible(self) -> bool:
@@ -96,27 +97,36 @@ def over_joints(
     points: Array,
     dimension: int,
     *,
-    spent: Callable[[], bool],
+    allowed: AllowedTime,
     reference: bool,
+    beside: Sequence[Sequence[str]] = (),
 ) -> OverJoints | None:
     """The components of the dimension at these real points, in units; `reference`: whether it is the last of them.
 
-    None where no joints' variables are independent there, or the count did not end or is not one of simple points.
+    `beside`: equations of known sets of poses, on which points are not counted. None where no coordinates are
+    independent there, or the count did not end or is not one of simple points.
     """
-    chosen = _independent(closure, polynomials, points, dimension)
-    if chosen is None:
+    for chosen in _tried(closure, polynomials, points, dimension):
+        counted = counted_poses(closure, chosen, FEWEST, beside=beside, allowed=allowed)
+        if counted is not None:
+            break
+    else:
         return None
-    counted = _counted(closure, chosen, FEWEST, until=set())
-    if counted is None:
-        return None
-    total = counted[0]
+    total, spent = counted.total, allowed.over
     generator = np.random.default_rng(SEED)
-    kind = _kind(closure, chosen)
+    kind = (rows_at(closure, chosen, np.ones((1, points.shape[1])))[0] != 0).astype(float)
     system = SquareSystem.of(polynomials, len(kind), generator)
-    matrix = kind * complex_numbers(generator, len(points), *kind.shape)
-    start = Section(matrix, np.einsum("pij,pj->pi", matrix, points))
-    section = Section(kind.astype(complex), kind[:, 0].astype(complex)).another(generator)
-    moved, come = moved_points(system, points, (start, section), spent, patient=False)
+    rows = rows_at(closure, chosen, points)
+    matrix = rows * complex_numbers(generator, *rows.shape[:2])[..., None]
+    if closure.scaled:
+        matrix[:, -1] = kind[-1] * complex_numbers(generator, len(points), kind.shape[1])
+    right = np.einsum("pij,pj->pi", matrix, points)
+    tied = [k for k, coordinate in enumerate(chosen) if coordinate.over is not None]
+    right[:, tied] = 0.0
+    given = np.ones(len(kind), dtype=complex)
+    given[tied] = 0.0
+    section = Section(kind.astype(complex), given).another(generator)
+    moved, come = moved_points(system, points, (Section(matrix, right), section), spent, patient=False)
     come[come] &= np.abs(polynomials.at(moved[come])[0]).max(axis=1, initial=0.0) < ZERO
     who = np.flatnonzero(come)
     sets, quiet = joined_sets(system, section, moved[come], total, random=generator, spent=spent)
@@ -125,102 +135,38 @@ def over_joints(
         fine = refined(system, section, z)
         on = {int(who[k]) for k in seeds}
         through = {len(points) - 1} & on if reference else set[int]()
-        parts.append(PosesOfOne(len(z), fine.certified, fine.residual, len(on - through), bool(through)))
-    found = sum(part.poses for part in parts)
-    again = _counted(closure, chosen, PRIMES, until=sums_of([part.poses for part in parts]))
-    if again is None or again[0] != total:
+        poses = _different(z[:, len(closure.lengths) :])
+        parts.append(PosesOfOne(poses, fine.certified, fine.residual, len(on - through), bool(through)))
+    found, until = sum(part.poses for part in parts), sums_of([part.poses for part in parts])
+    again: Counted | None = counted
+    if len(parts) > 1 or found < total:  # else loops have joined all
+        again = by_further_primes(closure, chosen, counted, until=until, beside=beside, allowed=allowed)
+    if again is None:
         return None
-    _, sums, primes = again
     reason = "" if found == total else f"{found} of {total} poses were found"
-    reason = reason or ("" if quiet >= AGAIN else "time was over before further loops")
+    reason = reason or ("" if quiet >= AGAIN or len(parts) == 1 else "time was over before further loops")
     parts.sort(key=lambda part: (part.poses, -part.on))
-    names = tuple(_name(closure, k) for k in chosen)
-    return OverJoints(dimension, names, total, tuple(sorted(sums)), primes, tuple(parts), quiet, reason)
+    names = tuple(coordinate.name(closure) for coordinate in chosen)
+    return OverJoints(dimension, names, total, tuple(sorted(again.sums)), again.primes, tuple(parts), quiet, reason,
+                      tuple(map(tuple, beside)))  # fmt: skip
 
 
-def _name(closure: ClosureEquations, place: int) -> str:
-    length = closure.lengths[place]
-    several = sum(other.joint == length.joint for other in closure.lengths) > 1
-    return f"{length.joint}.{length.freedom}" if several else length.joint
+def _different(poses: Array) -> int:
+    """How many of them: limbs may be in several positions at one."""
+    kept: list[Array] = []
+    for pose in poses:
+        if all(np.abs(pose - other).max() > SAME * (1 + np.abs(pose).max()) for other in kept):
+            kept.append(pose)
+    return len(kept)
 
 
-def _kind(closure: ClosureEquations, chosen: Sequence[int]) -> Array:
-    """Ones where the equations of a place have variables: each of the chosen is fixed, and a scale of the pose."""
-    count = len(closure.variables)
-    rows = np.eye(count)[list(chosen)]
-    if closure.scaled:
-        rows = np.concatenate([rows, np.isin(np.arange(count), closure.scaled)[None]])
-    return np.asarray(rows)
-
-
-def _independent(
+def _tried(
     closure: ClosureEquations, polynomials: ManyPoints, points: Array, dimension: int
-) -> tuple[int, ...] | None:
-    """The first joints' variables that are coordinates at half of the points, near these."""
-    joints = range(len(closure.lengths)) if closure.body else ()
-    _, slopes = polynomials.at(points)
-    for chosen in islice(combinations(joints, dimension), MOST_CHOICES):
-        rows = np.broadcast_to(_kind(closure, chosen), (len(points), len(chosen) + 1, points.shape[1])).copy()
-        rows[:, -1] *= points  # across the line through zero
-        values = np.linalg.svd(np.concatenate([slopes, rows], axis=1), compute_uv=False)
-        if 2 * (values[:, -1] > SINGULAR * values[:, 0]).sum() > len(points):
-            return chosen
-    return None
-
-
-def _counted(
-    closure: ClosureEquations, chosen: Sequence[int], most: int, *, until: set[int]
-) -> tuple[int, set[int], int] | None:
-    """(poses over a place, what sums of degrees all primes leave, how many primes); None where one has multiple ones.
-
-    Another place for every prime: what is true for each is no accident of one. Till `until` is left, or `most` primes.
-    """
-    numbers, total, primes = random.Random(SEED), 0, 0
-    sums: set[int] = set()
-    for prime, roots in places_modulo([g.modulus for g in closure.field.generators], 0, most):
-        answer = algebra_answer(_script(closure, chosen, prime, roots, numbers=numbers), SECONDS)
-        degrees = [int(d) for d in re.findall(r"^@degree (\d+)$", answer[0], re.MULTILINE)] if answer else []
-        if answer is None or not answer[1] or not degrees or (total and sum(degrees) != total):
-            return None
-        own = sums_of(degrees)
-        total, sums, primes = sum(degrees), (sums & own if primes else own), primes + 1
-        if sums == until and primes >= FEWEST:
-            break
-    return total, sums, primes
-
-
-def _script(
-    closure: ClosureEquations, chosen: Sequence[int], prime: int, roots: Sequence[int], *, numbers: random.Random
-) -> str:
-    """Poses over a place without those at which an excluded polynomial vanishes, told from each other by a form u."""
-    names = [f"v{k + 1}" for k in range(len(closure.variables))]
-    letters = [f"a{k + 1}" for k in range(len(roots))]
-
-    def form(places: Sequence[int]) -> str:
-        return "+".join(f"{numbers.randint(1, prime - 1)}*{names[k]}" for k in places)
-
-    def text(polynomials: Sequence[Polynomial]) -> str:
-        return ",\n".join(p.text(names, closure.field.generators, letters) for p in polynomials)
-
-    cuts = [f"v{k + 1}-{numbers.randint(1, prime - 1)}" for k in chosen]
-    cuts += [f"{form(closure.scaled)}-1"] if closure.scaled else []
-    given = "".join(f"poly {letter} = {root}; " for letter, root in zip(letters, roots, strict=True))
-    left = [k for k in range(len(names)) if k not in chosen]
-    never = [p for p in closure.excluded if any(key[k] for key in p.terms for k in left)]
-    apart = "".join(f"K = std(sat(K, ideal({text([p])}))[1]);\n" for p in never)
-    return f"""LIB "elim.lib";
-ring r = {prime}, ({",".join(names)},u), dp; option(redSB); short = 0; {given}
-ideal K = std(ideal({text(closure.equations)},
-{",".join(cuts)}, u-({form(left)})));
-{apart}
-if (dim(K) == 0) {{
-  int count = vdim(K);
-  ring s = {prime}, ({",".join(names)},u), lp; ideal L = fglm(r, K); poly f = L[1]; int i;
-  if (deg(f) == count and deg(gcd(f, diff(f, u))) <= 0) {{
-    list F = factorize(f, 1);
-    for (i = 1; i <= ncols(F[1]); i++) {{ print("@degree " + string(deg(F[1][i]))); }}
-  }}
-}}
-print("@end");
-quit;
-"""
+) -> list[tuple[Coordinate, ...]]:
+    """The first joints' variables, and the first ratios, that are coordinates there."""
+    found: dict[bool, tuple[Coordinate, ...]] = {}
+    for chosen in choices(closure, dimension):
+        ratios = chosen[0].over is not None
+        if ratios not in found and are_independent(closure, polynomials, points, chosen):
+            found[ratios] = chosen
+    return list(found.values())

@@ -23,6 +23,7 @@ from symscrew.mobility.components.closure_parts import ClosureEquations
 from symscrew.mobility.components.component_parts import Part
 from symscrew.mobility.components.exact_parts import (
     field_text,
+    not_ended,
     polynomials_text,
     printed_parts,
     shown_procedure,
@@ -56,7 +57,7 @@ def modes_of_axes(
     parts = [part for _, part, away in printed_parts(closure, answer[0], prime=True) if not away]
     if not parts:
         none = "no configuration has outer axes that are parallel"
-        return none if answer[1] else f"exact algebra did not end within {seconds:g} s of the processor"
+        return none if answer[1] else not_ended(seconds)
     return tuple(sorted(parts, key=lambda part: (-part.dimension, part.degree, part.equations)))
 
 

@@ -94,13 +94,14 @@ def joined_sets(
 ) -> tuple[list[tuple[Array, tuple[int, ...]]], int]:  # fmt: skip
     """(sets of points with the seeds they are from, loops since something was new), where `total` points are known.
 
-    Of a section whose trace is not linear, so that another count says when no point is missing.
+    Of a section whose trace is not linear, so that another count says when no point is missing. No further loops where
+    all are one set.
     """
     found = _Growing(system, section, random, spent)
     found.take(seeds)
     quiet = 0
     for _ in range(LOOPS):
-        if spent() or (len(found.points) >= total and quiet >= AGAIN):
+        if spent() or (len(found.points) >= total and (quiet >= AGAIN or len(set(found.labels.tolist())) == 1)):
             break
         quiet = 0 if found.loop() else quiet + 1
     sets = []
