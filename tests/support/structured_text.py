@@ -10,7 +10,6 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 
-
 def of_doubles(of: Callable[[float], float]) -> Callable[[float], float]:
     """A function of Python's `math`, which raises where those of C give NaN or infinity."""
 
