@@ -127,12 +127,13 @@ def _circular(x: Any, shift: int, name: str) -> Any:
         value = _kernels(float(x), float(turns))[(turns + shift) % 2]
         return np.float64(-value if (turns + shift) % 4 >= 2 else value)
     x = np.asarray(x, dtype=float)[()]
-    large = np.abs(x) > LARGEST
-    if 0 < np.size(x) <= FEW and np.ndim(x) and np.isfinite(x).all() and not large.any():
+    finite = np.isfinite(x)
+    large = (np.abs(x) > LARGEST) & finite
+    if 0 < np.size(x) <= FEW and np.ndim(x) and finite.all() and not large.any():
         return np.array([_circular(value, shift, name) for value in x.ravel().tolist()]).reshape(x.shape)
-    if np.any(large & np.isfinite(x)):
+    if np.any(large):
         exact = np.frompyfunc(lambda value: float(getattr(EXACT, name)(float(value))), 1, 1)
-        chosen = np.where(np.isfinite(x), x, 0.0)
+        chosen = np.where(large, x, 0.0)
         return np.where(large, exact(chosen), _circular(np.where(large, np.nan, x), shift, name)).astype(float)[()]
     count = np.rint(x * TURNS)
     sine, cosine = _kernels(x, count)

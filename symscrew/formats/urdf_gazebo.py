@@ -26,7 +26,7 @@ NO = ("false", "0")
 
 def gazebo_forces(draft: Draft, root: Element, joints: Mapping[str, Element]) -> None:
     """Enter springs of joints; what a link alone has in that simulator is in the ledger."""
-    weightless, damped, held = set[str](), set[str](), set[str]()
+    weightless, damped, held, heavy = set[str](), set[str](), set[str](), set[str]()
     for section in elements(root, "gazebo"):
         name = section.get("reference", "")
         said = {child.tag: (child.get("value") or child.text or "").strip() for child in elements(section)}
@@ -36,6 +36,8 @@ def gazebo_forces(draft: Draft, root: Element, joints: Mapping[str, Element]) ->
             damped.add(name)
         if said.get("kinematic") in YES:
             held.add(name)
+        if "inertial" in said:
+            heavy.add(name)
         if said.get("static") in YES:
             draft.ledger.changed.append("the robot moves, which <gazebo> calls static")
         for plugin in elements(section, "plugin"):
@@ -47,9 +49,10 @@ def gazebo_forces(draft: Draft, root: Element, joints: Mapping[str, Element]) ->
         (weightless, "gravity acts on {}, from which <gazebo> takes it"),
         (damped, "nothing damps {}, to which <gazebo> gives a dampingFactor"),
         (held, "forces move {}, which <gazebo> calls kinematic"),
+        (heavy, "{} has the inertia of its <link>, not that of <gazebo>"),
     ):
         if links:
-            listed = sorted(links)
+            listed = sorted(name or "the robot" for name in links)
             more = f" and {len(listed) - 3} more links" if len(listed) > 3 else ""
             draft.ledger.changed.append(what.format(", ".join(listed[:3]) + more))
 

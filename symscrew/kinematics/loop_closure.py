@@ -112,7 +112,11 @@ def closure_rate(cut: Cut, at: Linkage, twist: Sequence[Twist], v: Sequence[Node
 
 
 def closure_residual(cut: Cut, at: Linkage, geometry: Geometry) -> tuple[Node, ...]:
-    """How far the loop is open, one number per row [m, or rad for couples]; its rate is J v where it is 0."""
+    """How far the loop is open, one number per row [m, or rad for couples]; its rate is J v where it is 0.
+
+    Of a joint that slides J v is that of the hub's point which is now at the tip's: the same where v keeps its couples
+    closed, else off by how far it slid times how fast they open.
+    """
     if cut.relation is not None:
         return _named([cut.relation.residual], "opening", cut)
     if cut.touch is not None:

@@ -417,6 +417,7 @@ def test_what_gazebo_and_dialects_say_of_forces(tmp_path: Path) -> None:
     section = (
         '<gazebo reference="a"><springStiffness>3</springStiffness><springReference>0.2</springReference></gazebo>'
         '<gazebo reference="two"><turnGravityOff>true</turnGravityOff></gazebo>'
+        '<gazebo reference="two"><inertial><mass>5</mass></inertial></gazebo>'
     )
     text = robot_of('<dynamics armature="0.5" damping="0"/>', rest=section, space='xmlns="http://drake.mit.edu"')
     found = import_file(saved(text, tmp_path, "robot.urdf"))
@@ -424,7 +425,10 @@ def test_what_gazebo_and_dialects_say_of_forces(tmp_path: Path) -> None:
         {"kind": "armature", "joint": "a", "inertia": 0.5},
         {"kind": "spring", "joint": "a", "stiffness": 3.0, "rest": 0.2},
     ]
-    assert found.account.changed == ("gravity acts on two, from which <gazebo> takes it",)
+    assert found.account.changed == (
+        "gravity acts on two, from which <gazebo> takes it",
+        "two has the inertia of its <link>, not that of <gazebo>",
+    )
 
 
 MIMIC = "<joint>a</joint><mimicJoint>b</mimicJoint><multiplier>-2</multiplier><offset>0.3</offset>"

@@ -6,13 +6,28 @@ text --tree_sitter_iec61131_3_st--> tree --source--> Python, a class per functio
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
+
+
+def of_doubles(of: Callable[[float], float]) -> Callable[[float], float]:
+    """A function of Python's `math`, which raises where those of C give NaN or infinity."""
+
+    def called(x: float) -> float:
+        try:
+            return of(x)
+        except OverflowError:
+            return math.inf
+        except ValueError:
+            return math.nan
+
+    return called
+
 
 OPERATORS = {"=": "==", "<>": "!=", "AND": "and", "OR": "or"}
 FUNCTIONS = {
-    "SIN": math.sin, "COS": math.cos, "TAN": math.tan, "ATAN": math.atan, "EXP": math.exp, "ABS": abs,
-    "SQRT": lambda x: math.sqrt(x) if x >= 0 else math.nan, "SEL": lambda choice, no, yes: yes if choice else no,
+    **{of.__name__.upper(): of_doubles(of) for of in (math.sin, math.cos, math.tan, math.atan, math.exp, math.sqrt)},
+    "ABS": abs, "SEL": lambda choice, no, yes: yes if choice else no,
     "INT_TO_LREAL": float,
 }  # fmt: skip
 

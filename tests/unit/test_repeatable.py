@@ -50,7 +50,9 @@ def test_functions_are_as_good_as_those_of_the_library(name: str, limit: float, 
 
 
 def test_functions_of_zeros_and_infinities_are_those_of_numpy() -> None:
-    special = np.array([0.0, -0.0, 1.0, -1.0, np.inf, -np.inf, np.nan, 800.0, -800.0])
+    special = np.array(
+        [0.0, -0.0, 1.0, -1.0, np.inf, -np.inf, np.nan, 800.0, -800.0, 1e6]
+    )  # and an angle of many digits
     y, x = (side.ravel() for side in np.meshgrid(special, special))
     with np.errstate(all="ignore"):
         for name in ("sin", "cos", "exp"):

@@ -102,7 +102,7 @@ def measure(
     """
     if core not in CORES:
         raise DescriptionError(f"expected a core among {', '.join(CORES)}, got {core!r}")
-    chosen = list(model.programs) if functions is None else list(functions)
+    chosen = list(model.programs if functions is None else dict.fromkeys(functions))  # each of them once
     unknown = [name for name in chosen if name not in model.programs]
     if unknown:
         raise DescriptionError(f"{model.name} has no function {unknown[0]!r}; it has {', '.join(model.programs)}")
