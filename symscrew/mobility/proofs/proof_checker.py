@@ -711,8 +711,9 @@ class Block:
             for p, shown in zip(closure, entry["closure"], strict=True):
                 self._combined(p, shown, part)
         for (a, rows), (b, others) in permutations(enumerate(slopes), 2):
-            minor = next((m["minor"] for m in proof["apart"] if m["parts"] == [a, b]), {"rows": [], "columns": []})
-            need(at_least(numbers, [*rows, *others], minor) > len(rows), "a part that may be within another")
+            given = [m["minor"] for m in proof["apart"] if m["parts"] == [a, b]]
+            apart = any(at_least(numbers, [*rows, *others], minor) > len(rows) for minor in given)
+            need(apart, "a part that may be within another")
         for chosen, shown in zip(product(*parts), proof["products"], strict=True):
             need(type(shown["power"]) is int and 0 < shown["power"] <= MOST_WAYS, "a power that is none")
             p = {origin: numbers.one}
