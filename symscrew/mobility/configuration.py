@@ -27,6 +27,9 @@ STEPS = 24
 stays on the assembly branch. Where a step does not close, the error says so: nothing else is tried."""
 NEWTON = 30
 """Steps of Newton's method: regular poses take five; a singular one gains a bit a step and may end at `NEARLY`."""
+JUMPED = np.pi
+"""In one of these steps [rad, lengths]: Newton's method has left for another way round, by whole turns of joints. At a
+coordinate that nothing moves at first, as a ball joint's own turn, its first step has no bound."""
 CLOSED_IN_DOUBLE = 1e-13
 """Closure residual, in units of the mechanism's size, that is rounding of double precision."""
 NEARLY = 1e-9
@@ -134,7 +137,9 @@ def _assembled(network: Network, targets: Sequence[Target], names: str) -> tuple
     q = np.zeros(coarse.columns)
     goal = np.array([float(target.goal) for target in targets])
     for k in range(1, STEPS + 1):
-        q = _closed(coarse, q, targets, goal=goal * k / STEPS, names=names)
+        before, q = q, _closed(coarse, q, targets, goal=goal * k / STEPS, names=names)
+        if np.abs(q - before).max(initial=0.0) > JUMPED:
+            raise UnreachedError(names, len(targets), _free(coarse))
     given = {target.column for target in targets}
     still = [c for c in range(len(q)) if c not in given and abs(q[c]) < SNAPPED]
     snapped = [*(Target(CONTEXT.zero, _coordinate(c), c) for c in still), *targets]

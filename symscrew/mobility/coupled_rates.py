@@ -43,6 +43,13 @@ class TiedTerm:
             total = total * d + k * self.coefficients[k - 1]
         return total
 
+    def bend(self, d: Any) -> Any:
+        """Its second derivative there."""
+        total = 0 * d
+        for k in range(len(self.coefficients), 1, -1):
+            total = total * d + k * (k - 1) * self.coefficients[k - 1]
+        return total
+
     def moved(self, d: Real) -> TiedTerm:
         """The same for displacements from where this coordinate has been displaced by d."""
         size = len(self.coefficients)

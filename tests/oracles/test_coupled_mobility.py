@@ -138,7 +138,7 @@ def test_what_is_said_counts_the_couplings() -> None:
     assert "1 of the 3 equations of loops and couplings follow from the others" in words
     assert "The reactions of tie0, tie1, tie2 are not unique" in words and "leave this coupling out" in words
     assert "sum f - p = 6 (5 - 4 - 1) + 4 - 3 = 1, with p = 3 couplings" in words
-    assert "what moves along them was not looked at" in mobility_text(found("cone"))
+    assert "1: dimension 2 (proved)" in mobility_text(found("cone"))
 
 
 @pytest.mark.parametrize("off", ["1e-12", "1e-7"])
@@ -172,3 +172,46 @@ def test_special_geometry_to_which_a_coupling_leaves_less_is_not_what_was_meant(
     found = analyse_mobility(builder.coupling("gears", terms={"A": 1, "D": 1}).build())
     assert (found.dof, found.finite.dof) == (1, None)
     assert found.near is None or found.near.meant.dof == 1
+
+
+def two_flat_parallelograms(ratio: int) -> Mechanism:
+    """Both with all hinges in a line, and one crank of each geared to the other's."""
+    builder = MechanismBuilder("two", platform="a")
+    for body in "abcdef":
+        builder.body(body)
+    for letter, links, (crank, width), y in (("R", "abc", (1, 3), 0), ("Q", "def", (2, 3), 5)):
+        ends = ["base", *links, "base"]
+        for k, x in enumerate((0, crank, crank + width, width)):
+            builder.joint(f"{letter}{k}", "R", parent=ends[k], child=ends[k + 1], point=[x, y, 0], axes=[[0, 0, 1]])
+    builder.coupling("gears", terms={"R0": 1, "Q0": ratio})
+    return builder.build()
+
+
+@pytest.mark.parametrize("ratio", [-1, 2])
+def test_geared_linkages_at_change_points_have_the_branches_of_both(ratio: int) -> None:
+    """Each is a parallelogram or an antiparallelogram, whatever the other is: four curves through the configuration."""
+    found = analyse_mobility(two_flat_parallelograms(ratio))
+    assert (found.dof, found.finite.dof, found.finite.branches, found.finite.judgement) == (3, 1, (1,), "sampled")
+    assert found.branches is not None and [row.dimension for row in found.branches.rows] == [1] * 4
+    assert [check.claim for check in verify(found) if not check.holds] == []
+    ways = set()
+    for row in found.branches.rows:
+        turns = {name: float(row.tangent[0][edge.start]) for name, edge in found.network.edges.items()}
+        assert turns["R0"] == pytest.approx(-ratio * turns["Q0"], rel=1e-3)
+        ways.add((turns["R3"] / turns["R0"] < 0, turns["Q3"] / turns["Q0"] < 0))
+    assert len(ways) == 4
+
+
+def test_couplings_that_bend_against_each_other_meet_in_two_lines() -> None:
+    """A + B + C = 0 and A + A^2 + B - 4 B^2 + C = 0: A = 2 B or A = -2 B."""
+    builder = MechanismBuilder("shafts", platform="a")
+    for k, body in enumerate("abc"):
+        builder.body(body)
+        builder.joint(body.upper(), "R", parent="base", child=body, point=[k, 0, 0], axes=[[0, 0, 1]])
+    builder.coupling("sum", terms={"A": 1, "B": 1, "C": 1})
+    builder.coupling("bent", terms={"A": [1, 1], "B": [1, -4], "C": 1})
+    found = analyse_mobility(builder.build())
+    assert (found.dof, found.finite.branches, found.finite.judgement) == (2, (1,), "proved")
+    assert found.branches is not None
+    ratios = [float(row.tangent[0][0] / row.tangent[0][1]) for row in found.branches.rows]
+    assert sorted(ratios) == pytest.approx([-2, 2], rel=1e-3)

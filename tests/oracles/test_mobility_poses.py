@@ -150,3 +150,12 @@ def test_parameters_that_follow_one_that_is_given_follow_it() -> None:
     changed, _ = with_parameters(mechanism, {"rods": "650mm"})
     assert derived and changed.parameters["rods"].value == sympy.Rational(13, 20)
     assert any(changed.parameters[p.name].value != p.value for p in derived)
+
+
+@pytest.mark.parametrize("turn", [0.02, -0.02])
+def test_no_pose_is_reached_by_whole_turns_of_joints(turn: float) -> None:
+    """The turn of this ball joint about x is zero in all poses nearby; two turns of another joint away it is not."""
+    mechanism = catalogue.load("three_ups_upu_s")
+    with pytest.raises(DescriptionError, match="cannot be assembled there"):
+        analyse_mobility(mechanism, at={"limb3_S.rx": turn})
+    assert analyse_mobility(mechanism, at={"limb1_U.1": turn}).dof == 2

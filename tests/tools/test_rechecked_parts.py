@@ -147,6 +147,10 @@ def _other_factor(proof: dict[str, Any]) -> None:
     factor[0][0] = "17/19"
 
 
+def _nothing_apart(proof: dict[str, Any]) -> None:
+    proof["apart"].pop()
+
+
 def _fewer_products(proof: dict[str, Any]) -> None:
     proof["products"].pop()
 
@@ -156,7 +160,7 @@ def _fewer_products(proof: dict[str, Any]) -> None:
     [
         (_without_a_part, "combination"), (_twice, "within another"), (_wider, "combination"),
         (_elsewhere, "does not hold the configuration"), (_dead_unit, "unit"), (_zero_power, "power"),
-        (_other_factor, "combination"), (_fewer_products, ""),
+        (_other_factor, "combination"), (_fewer_products, ""), (_nothing_apart, "within another"),
     ],
 )  # fmt: skip
 def test_evidence_that_is_changed_is_refused(change: Callable[[dict[str, Any]], None], why: str) -> None:

@@ -14,13 +14,13 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from support.further_mechanisms import CASES, Z, loop, three_bars
+from support.further_mechanisms import CASES, Z, graph, loop, three_bars
 from support.marks import slow
 from support.reference_mechanisms import ENTRIES, build
 
 from symscrew import MechanismBuilder, catalogue
 from symscrew.mobility import analyse_mobility, check_proof, mobility_proof, verify
-from symscrew.mobility.proofs import proof_checker
+from symscrew.mobility.proofs import proof_checker, rank_entry
 
 pytestmark = pytest.mark.slow
 
@@ -362,3 +362,74 @@ def test_what_exact_decimals_stop_by_less_than_rounding_is_no_contradiction(off:
     said = [entry for entry in values["not proved"] if "taken for rounding" in entry["claim"]]
     assert [entry["value"] for entry in said] == ([1, True, None] if moves else [])
     assert any("taken as exact, stop the motion" in text for text in found.finite.evidence) is moves
+
+
+def hinge(parent: str, child: str, x: int, y: int) -> tuple[Any, ...]:
+    return ("R", parent, child, [x, y, 0], Z)
+
+
+WELDS = [("fixed", parent, child, [0, 0, 0], None) for parent, child in ("ac", "cb", "ab")]
+TRIANGLE = [hinge("a", "b", 7, 7), hinge("b", "c", 8, 9), hinge("c", "a", 9, 7)]
+
+
+@pytest.mark.parametrize("held", [WELDS, TRIANGLE], ids=["welds", "triangle"])
+def test_limbs_meet_in_bodies_that_joints_at_rest_make_one(held: list[tuple[Any, ...]]) -> None:
+    """Three hinges in a line, shaky, hold what carries a four-bar: no two limbs, though no body is in both."""
+    line = [hinge("base", "x", 0, 0), hinge("x", "a", 1, 0), hinge("base", "b", 3, 0)]
+    four = [hinge("a", "z", 5, 4), hinge("z", "P", 6, 7), hinge("b", "y", 3, 1), hinge("y", "P", 2, 5)]
+    found = analyse_mobility(graph(*line, *four, *held))
+    assert (found.dof, found.finite.dof) == (2, 1)
+    assert [check.evidence for check in verify(found) if not check.holds] == []
+
+
+def test_limbs_of_a_forged_file_are_refused_where_a_joint_at_rest_joins_them() -> None:
+    """The same, of which two limbs would say that all instantaneous motions are real."""
+    line = [hinge("base", "x", 0, 0), hinge("x", "a", 1, 0), hinge("base", "b", 3, 0)]
+    found = analyse_mobility(graph(*line, hinge("a", "P", 5, 4), hinge("b", "y", 3, 1), hinge("y", "P", 2, 5), *WELDS))
+    values, (numbers, _) = json.loads(json.dumps(mobility_proof(found))), found.evidence
+    plane = [["0", "0", "1", "0", "0", "0"], ["0", "0", "0", "1", "0", "0"], ["0", "0", "0", "0", "1", "0"]]
+    limbs = []
+    for names in (["J1", "J2", "J4"], ["J3", "J5", "J6"]):
+        screws = [screw for name in names for screw in numbers.read.joints[name].screws]
+        minor = rank_entry(numbers, list(map(list, zip(*screws, strict=True))))["minor"]
+        limbs.append({"joints": names, "group": plane, "minor": minor})
+    rank = rank_entry(numbers, numbers.read.matrix(("block", "0")))
+    rest = {"rank": rank, "proof": {"kind": "limbs", "between": ["base", "P"], "limbs": limbs}}
+    at_rest = {"joints": ["J7", "J8", "J9"], "minor": {"rows": [], "columns": []}}
+    values["blocks"] = [{"rank": rank, "proof": {"kind": "rigid", "rigid": [at_rest], "rest": rest}}]
+    values["claims"], values["not proved"] = [{"claim": "finite mobility", "value": 1}], []
+    assert check_proof(values).refused == ("finite mobility 1: limbs that share a body",)
+
+
+def test_a_value_is_claimed_in_the_type_that_it_has() -> None:
+    """To Python 1 is 1.0 and true; to a reader of the file it is not."""
+    values = values_of("parallelogram-change_point")
+    (claim,) = [claim for claim in values["claims"] if claim["claim"] == "branches"]
+    assert claim["value"] == [1] and accepted(values)
+    for other in ([True], [1.0]):
+        claim["value"] = other
+        assert not accepted(values), other
+
+
+def test_freedoms_and_points_are_counted_as_they_are() -> None:
+    """No freedom is counted back from the last, and a point has three coordinates, whatever the joint."""
+    for change in (
+        lambda mechanism: mechanism["drives"][0].__setitem__(1, -1),
+        lambda mechanism: next(j for j in mechanism["joints"] if j["motions"][0]["kind"] == "S")["point"].append("0"),
+    ):
+        values = values_of("three_ups_upu_s")
+        change(values["mechanism"])
+        values["digest"] = proof_checker.digest(values["mechanism"])
+        with pytest.raises(proof_checker.UnreadableError):
+            check_proof(values)
+
+
+def test_what_a_console_cannot_write_ends_no_verdict(tmp_path: Path) -> None:
+    values = values_of("planar_4bar")
+    values["mechanism"]["name"] = "Kurbel \u2192 Schwinge"
+    values["digest"] = proof_checker.digest(values["mechanism"])
+    path = tmp_path / "file.json"
+    path.write_text(json.dumps(values))
+    command = [sys.executable, "-S", proof_checker.__file__, str(path)]
+    done = subprocess.run(command, capture_output=True, text=True, env={"PYTHONIOENCODING": "ascii"})
+    assert done.returncode == 0 and "Mobility of Kurbel \\u2192 Schwinge" in done.stdout, done.stderr

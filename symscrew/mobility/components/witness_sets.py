@@ -81,7 +81,7 @@ def completed_sets(
     for _ in range(LOOPS):
         if spent() or not found.open().any() or len(found.points) > MOST_POINTS:
             break
-        quiet = 0 if found.loop() else quiet + 1
+        quiet = 0 if found.loop(patient=quiet >= QUIET) else quiet + 1
         if quiet >= QUIET or len(found.open()) == 1:
             found.test()
     found.spent = times[1]
@@ -151,10 +151,12 @@ class _Growing:
         """Points of sets that are not known to be complete."""
         return np.array([label not in self.closed for label in self.labels], dtype=bool)
 
-    def loop(self) -> bool:
-        """All points of open sets once round a loop; whether that brought something."""
+    def loop(self, *, patient: bool = False) -> bool:
+        """All points of open sets once round a loop, `patient` with slow paths; whether that brought something."""
         who = np.flatnonzero(self.open())
-        moved, come = round_loop(self.system, self.section, self.points[who], self.spent, random=self.random)
+        moved, come = round_loop(
+            self.system, self.section, self.points[who], self.spent, random=self.random, patient=patient
+        )
         news = False
         for k, point, there in zip(who, moved, come, strict=True):
             if not there:
@@ -220,13 +222,17 @@ def round_loop(
     *,
     random: np.random.Generator,
     sure: bool = False,
+    patient: bool = False,
 ) -> tuple[Array, Array]:
-    """Where points come to when the section goes by two random ones back to itself, and which have come there."""
+    """Where points come to when the section goes by two random ones back to itself, and which have come there.
+
+    `sure`: with shorter steps; `patient`, as then: the slowest are waited for.
+    """
     corners = [section.another(random) for _ in range(2)]
     come = np.ones(len(points), dtype=bool)
     for ends in zip([section, *corners], [*corners, section], strict=True):
         points = points.copy()
-        points[come], arrived = moved_points(system, points[come], ends, spent, sure=sure, patient=sure)
+        points[come], arrived = moved_points(system, points[come], ends, spent, sure=sure, patient=sure or patient)
         come[np.flatnonzero(come)[~arrived]] = False
     return points, come
 

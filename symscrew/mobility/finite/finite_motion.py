@@ -45,7 +45,6 @@ ORDERS = 6
 """Highest order of the kinematic tangent cone that is tried for a single motion. Known mechanisms stop at second to
 fourth order; where none up to this one stops it, the finite displacement decides, and the evidence is that."""
 
-TIED = "with couplings of coordinates nothing beyond that was looked at"
 ROUNDED = 1e-45
 """Residual of finite motions that is rounding of 60 digits, with all conditions; what is larger comes from the numbers:
 of 30 digits, or of squares of what twelve digits leave."""
@@ -182,12 +181,8 @@ def _by_reduced_closure(network: Network, motions: Sequence[Screw], dof: int) ->
             )
         if all(trial.closed or not trial.solved for trial in trials):
             raise UndecidedError(text)  # no residual was seen, so that nothing shows that the motion stops
-        if network.ties:
-            raise UndecidedError(f"{text}; {TIED}")
         stopped = f"{text}; an analytic function of one variable that does not vanish has isolated zeros"
         return replace(_infinitesimal(network, stopped), proved=False)  # the motion was solved for in doubles
-    if network.ties:
-        raise UndecidedError(f"{text}; {TIED}")
     forms = quadratic_forms(coarse, here)
     weights = definite_stress(forms)
     if weights is not None:
@@ -233,10 +228,11 @@ def _missed(trials: Sequence[Trial]) -> str:
 def _about_origin(variety: ClosureVariety, stress: Array) -> Array:
     """A self-stress for screws about the variety's centre as one for screws at O: m_O . omega + f . v_O."""
     centre = np.array([float(c) for c in variety.centre])
-    result: Array = stress.copy().reshape(-1, 6)
+    loops = 6 * len(variety.network.chords)
+    result: Array = stress[:loops].copy().reshape(-1, 6)
     # v_centre = v_O + omega x centre, so f . v_centre = f . v_O + omega . (centre x f)
     result[:, :3] += np.cross(centre, result[:, 3:])
-    return result.ravel()
+    return np.concatenate([result.ravel(), stress[loops:]])
 
 
 def _singular(coarse: ClosureVariety, fine: ClosureVariety, here: Local, forms: Array, *, text: str) -> FiniteMobility:

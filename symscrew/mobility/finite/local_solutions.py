@@ -213,7 +213,7 @@ def quadratic_forms(variety: ClosureVariety, here: Local) -> Array:
     By screw brackets (`tangent_cone.second_order`); what is rounding becomes zero.
     """
     screws = variety.displaced(here.q[None])[0]
-    forms = second_order(variety.network, screws, here.stresses, here.kernel)
+    forms = second_order(variety.network, screws, here.stresses, here.kernel, displaced=here.q)
     forms[np.abs(forms) < ROUNDING * max(1.0, float(np.abs(forms).max(initial=0.0)))] = 0.0
     return forms
 

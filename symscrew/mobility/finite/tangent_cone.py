@@ -51,14 +51,17 @@ class Arc:
     obstruction: float
 
 
-def second_order(network: Network, screws: Array, stresses: Array, motions: Array) -> Array:
+def second_order(
+    network: Network, screws: Array, stresses: Array, motions: Array, *, displaced: Array | None = None
+) -> Array:
     """One symmetric matrix per self-stress: stress . (second derivative of the closure) on the motions.
 
     Args:
         network: the graph.
         screws: n x 6, of all freedoms at O.
-        stresses: k x rows; row 6 l + i belongs to component i of loop l.
+        stresses: k x rows; row 6 l + i belongs to component i of loop l, those of couplings follow.
         motions: n x d, columns are instantaneous motions.
+        displaced: displacements (n,) at which the screws are, for the couplings; by default none.
 
     Returns:
         k x d x d; the work of stress k on the closure's acceleration along rates u is u . Q_k . u.
@@ -77,6 +80,12 @@ def second_order(network: Network, screws: Array, stresses: Array, motions: Arra
             for name, sign in loop:
                 for column in network.edges[name].columns:
                     forms[k] = forms[k] + sign * np.outer(part @ rates[column], motions[column])
+        for pull, tie in zip(stress[6 * len(network.chords) :], network.ties, strict=True):
+            for term in tie.terms:
+                column = network.tied_column(term.joint, term.motion)
+                bend = term.bend(0 if displaced is None else displaced[column])
+                bend = bend if screws.dtype == object else float(bend)
+                forms[k] = forms[k] + pull * bend * np.outer(motions[column], motions[column])
     return np.asarray((forms + np.swapaxes(forms, 1, 2)) / 2)
 
 

@@ -139,11 +139,13 @@ class _Part:
         """Smooth, by limbs between two bodies that reach all of their groups."""
         if not self.decided:
             return
-        joints = [self.numbers.read.joints[name] for name in self.block.names]
+        joints, one = [self.numbers.read.joints[name] for name in self.block.names], self.block.bodies()
         at: dict[str, list[str]] = {}
         for joint in joints:
-            at.setdefault(joint.parent, []).append(joint.name)
-            at.setdefault(joint.child, []).append(joint.name)
+            at.setdefault(one[joint.parent], []).append(joint.name)
+            at.setdefault(one[joint.child], []).append(joint.name)
+        if any(one[joint.parent] == one[joint.child] for joint in joints):
+            return
         hubs = [body for body, names in at.items() if len(names) > 2]
         for ends in combinations(hubs or at, 2):
             limbs = self._limbs_between(ends, at)
@@ -164,12 +166,12 @@ class _Part:
 
     def _limbs_between(self, ends: Sequence[str], at: dict[str, list[str]]) -> list[list[str]] | None:
         """The joints of each limb from the first body to the second; None where there is more than such limbs."""
-        limbs = []
+        limbs, one = [], self.block.bodies()
         for first in at[ends[0]]:
             names, body = [first], ends[0]
             while True:
                 joint = self.numbers.read.joints[names[-1]]
-                body = joint.child if joint.parent == body else joint.parent
+                body = one[joint.child] if one[joint.parent] == body else one[joint.parent]
                 if body in ends or len(at[body]) != 2:
                     break
                 names.append(next(name for name in at[body] if name != names[-1]))

@@ -272,6 +272,12 @@ class Joint:
         """The columns of its freedoms."""
         return range(self.first, self.first + len(self.screws))
 
+    def column(self, index: Any) -> int:
+        """The column of one of its freedoms, as a file counts them: from the first, 0, and not back from the last."""
+        if type(index) is not int or not 0 <= index < len(self.screws):
+            raise UnreadableError(f"joint {self.name}: a freedom that it has not")
+        return self.first + index
+
 
 Tie = dict[int, list[Number]]
 """A coupling: column -> coefficients of the first, second ... power of the displacement from the configuration."""
@@ -300,7 +306,7 @@ class Mechanism:
             made = Joint(joint["name"], joint["parent"], joint["child"], screws, self.freedoms)
             self.joints[made.name] = made
             self.freedoms += len(screws)
-        self.drives = [self.joints[name].columns[index] for name, index in entry["drives"]]
+        self.drives = [self.joints[name].column(index) for name, index in entry["drives"]]
         self.limbs: dict[str, list[str]] = entry["limbs"]
         self._reached: dict[str, tuple[tuple[str, int], ...]] = {self.ground: ()}
         chords = self._span()
@@ -320,12 +326,14 @@ class Mechanism:
         read, zero = self.numbers.read, self.numbers.zero
         kind = motion["kind"]
         point = [read(c) for c in joint["point"]]
+        if len(point) != 3:
+            raise UnreadableError(f"joint {joint['name']}: expected a point of three numbers")
         if kind == "S":
             axes = [[self.numbers.one if i == k else zero for i in range(3)] for k in range(3)]
             return [[*axis, *cross(point, axis)] for axis in axes]
         axis = [read(c) for c in motion["axis"]]
-        if kind not in ("R", "P", "H") or len(axis) != 3 or len(point) != 3:
-            raise UnreadableError(f"joint {joint['name']}: expected motions R, P, H or S with points and axes of three")
+        if kind not in ("R", "P", "H") or len(axis) != 3:
+            raise UnreadableError(f"joint {joint['name']}: expected motions R, P, H or S with axes of three numbers")
         need(any(_apart(self.numbers.interval(c)) for c in axis), f"joint {joint['name']}: an axis without direction")
         if kind == "P":
             return [[zero, zero, zero, *axis]]
@@ -363,7 +371,7 @@ class Mechanism:
         tie: Tie = {}
         for term in terms:
             joint, at = self.joints[term["joint"]], self.numbers.read(term["at"])
-            column, screw = joint.columns[term["freedom"]], joint.screws[term["freedom"]]
+            column, screw = joint.column(term["freedom"]), joint.screws[term["freedom"]]
             axis = screw[:3] if any(screw[:3]) else screw[3:]
             low, high = self.numbers.interval(_dot(axis, axis))
             need(max(abs(low - ONE), abs(high - ONE)) <= UNIT, "a coupled axis that has not the length 1")
@@ -556,12 +564,15 @@ def _power(column: int, count: int) -> Key:
     return tuple(int(k == column) for k in range(count))
 
 
-def chain(mechanism: Mechanism, ends: Sequence[str], names: Sequence[str]) -> tuple[list[Screw], list[str]]:
-    """(screws of the joints that lead from one body to another, the bodies between)."""
+def chain(
+    mechanism: Mechanism, ends: Sequence[str], names: Sequence[str], one: dict[str, str]
+) -> tuple[list[Screw], list[str]]:
+    """(screws of the joints that lead from one body to another, the bodies between); `one`: which stands for each."""
     bodies, screws = [ends[0]], []
     for joint in (mechanism.joints[name] for name in names):
-        need(bodies[-1] in (joint.parent, joint.child), "joints that are no limb")
-        bodies.append(joint.child if bodies[-1] == joint.parent else joint.parent)
+        near, far = one[joint.parent], one[joint.child]
+        need(bodies[-1] in (near, far), "joints that are no limb")
+        bodies.append(far if bodies[-1] == near else near)
         screws += joint.screws
     need(bodies[-1] == ends[1], "a limb that ends elsewhere")
     return screws, bodies[1:-1]
@@ -670,8 +681,9 @@ class Block:
         alone = self.mechanism.alone(proof["joints"])
         need(len(alone.blocks) == len(proof["parts"]), "parts that are missing")
         inside = [Block(alone, ("block", str(k)), entry) for k, entry in enumerate(proof["parts"])]
-        need(all(part.dimensions()[3] for part in inside), "joints whose own loops are not smooth")
-        own = sum(len(part.columns) - part.dimensions()[0] for part in inside)
+        found = [part.dimensions() for part in inside]  # once: parts hold parts
+        need(all(smooth for *_, smooth in found), "joints whose own loops are not smooth")
+        own = sum(len(part.columns) - least for part, (least, *_) in zip(inside, found, strict=True))
         others = len(self.loops) - len(alone.loops)
         need(self.least == own + 6 * others, "other loops that are not independent of these")
 
@@ -699,8 +711,9 @@ class Block:
             for p, shown in zip(closure, entry["closure"], strict=True):
                 self._combined(p, shown, part)
         for (a, rows), (b, others) in permutations(enumerate(slopes), 2):
-            minor = next(m["minor"] for m in proof["apart"] if m["parts"] == [a, b])
-            need(at_least(numbers, [*rows, *others], minor) > len(rows), "a part that may be within another")
+            given = [m["minor"] for m in proof["apart"] if m["parts"] == [a, b]]
+            apart = any(at_least(numbers, [*rows, *others], minor) > len(rows) for minor in given)
+            need(apart, "a part that may be within another")
         for chosen, shown in zip(product(*parts), proof["products"], strict=True):
             need(type(shown["power"]) is int and 0 < shown["power"] <= MOST_WAYS, "a power that is none")
             p = {origin: numbers.one}
@@ -730,16 +743,18 @@ class Block:
         loops = 0
         for k, entry in zip(inside, proof["parts"], strict=True):
             part = Block(self.mechanism, ("untied", str(k)), entry)
-            need(part.dimensions()[3], "a part that is not smooth without couplings")
-            loops += len(part.columns) - part.dimensions()[0]
+            least, _, _, smooth = part.dimensions()
+            need(smooth, "a part that is not smooth without couplings")
+            loops += len(part.columns) - least
         alike = null_space(self.numbers, self.mechanism.powers(self.ties), proof["implied"])
         need(self.least == loops + len(self.ties) - len(alike), "couplings that are not independent of the loops")
 
     def limbs(self, proof: Any) -> None:
         """Limbs between two bodies, each of which reaches all of a group: smooth, as the meet of groups is a group."""
-        inside: list[str] = []
+        inside, one = list[str](), self.bodies()
+        ends = [one[body] for body in proof["between"]]
         for limb in proof["limbs"]:
-            screws, bodies = chain(self.mechanism, proof["between"], limb["joints"])
+            screws, bodies = chain(self.mechanism, ends, limb["joints"], one)
             inside += bodies
             reached = at_least(self.numbers, [list(row) for row in zip(*screws, strict=True)], limb["minor"])
             need(
@@ -747,7 +762,16 @@ class Block:
             )
         used = [name for limb in proof["limbs"] for name in limb["joints"]]
         need(sorted(used) == sorted(self.names), "joints that are in no limb, or in two")
-        need(len({*inside, *proof["between"]}) == len(inside) + 2, "limbs that share a body")
+        need(len({*inside, *ends}) == len(inside) + len(ends) == len(inside) + 2, "limbs that share a body")
+
+    def bodies(self) -> dict[str, str]:
+        """Every body, and which stands for it: joints at rest make their bodies one."""
+        joints = self.mechanism.joints
+        one = {body: body for joint in joints.values() for body in (joint.parent, joint.child)}
+        for name in sorted(self.held):
+            gone, kept = one[joints[name].parent], one[joints[name].child]
+            one = {body: kept if stands == gone else stands for body, stands in one.items()}
+        return one
 
     def stress(self, given: Any) -> tuple[list[Screw], list[Number]]:
         """A self-stress, six numbers a loop and one a coupling, that does no work on any screw."""
@@ -988,6 +1012,12 @@ def printable(text: str) -> str:
     return "".join(c if c.isprintable() else ascii(c)[1:-1] for c in text)
 
 
+def said(text: str) -> None:
+    """Prints it; where the console has no such letter, its number stands for it."""
+    encoding = sys.stdout.encoding or "ascii"
+    print(text.encode(encoding, "backslashreplace").decode(encoding))
+
+
 def digest(mechanism: Any) -> str:
     """SHA-256 of the description: a file is about this mechanism and no other."""
     text = json.dumps(mechanism, sort_keys=True, separators=(",", ":"), ensure_ascii=True)
@@ -1020,12 +1050,12 @@ def check_proof(values: Any) -> Verdict:
             return Verdict(name, (), tuple(f"{c} {json.dumps(v)}: {error}" for c, v in claims) or (str(error),), texts)
     except (KeyError, TypeError, ValueError, IndexError, AttributeError, RecursionError) as error:
         raise UnreadableError(f"{type(error).__name__}: {error}") from error
-    none = object()
-    proved = [f"{claim} {json.dumps(v)}" for claim, v in claims if _same(found.get(claim, none), v)]
+    shown = [claim in found and _same(found[claim], v) for claim, v in claims]
+    proved = [f"{claim} {json.dumps(v)}" for (claim, v), true in zip(claims, shown, strict=True) if true]
     refused = [
         f"{claim} {json.dumps(v)}: the evidence shows {json.dumps(found[claim]) if claim in found else 'nothing of it'}"
-        for claim, v in claims
-        if not _same(found.get(claim, none), v)
+        for (claim, v), true in zip(claims, shown, strict=True)
+        if not true
     ]
     refused += [
         f"{claim} {json.dumps(v)}, called not proved: the evidence shows {json.dumps(found[claim])}"
@@ -1036,7 +1066,8 @@ def check_proof(values: Any) -> Verdict:
 
 
 def _same(a: Any, b: Any) -> bool:
-    return type(a) is type(b) and bool(a == b)
+    """Whether two values are the same JSON: to Python true is 1, and 1.0, in lists as well."""
+    return json.dumps(a) == json.dumps(b)
 
 
 def values_of(text: str) -> Any:
@@ -1065,7 +1096,7 @@ def main(arguments: Sequence[str]) -> int:
     except (OSError, ValueError, RecursionError, MemoryError, UnreadableError) as error:
         print(f"{arguments[0]}: not a proof file that can be read: {printable(str(error)[:200])}", file=sys.stderr)
         return 2
-    print(verdict)
+    said(str(verdict))
     return 0 if verdict.holds else 1
 
 

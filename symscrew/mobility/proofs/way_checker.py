@@ -178,7 +178,8 @@ class Tubes:
         need(not mechanism.ties, "couplings, of which no way is judged")
         self.mechanism = mechanism
         self.motions = list(self._motions())
-        drives = {mechanism.joints[name].columns[index] for name, index in entry["drives"]}
+        drives = {mechanism.joints[name].column(index) for name, index in entry["drives"]}
+        need(len(drives) == len(entry["drives"]), "a drive that is there twice")
         self.passive = [c for c in range(mechanism.freedoms) if c not in drives]
         need(len(drives) < mechanism.freedoms and bool(drives), "no drives, or no other freedoms")
         split = any(len(drives & set(m.columns)) not in (0, len(m.columns)) for m in self.motions)
@@ -492,7 +493,7 @@ def check_ways(values: Any) -> exact.Verdict:
             proved, refused = judged(exact.Mechanism(values["mechanism"]), entry)
         except exact.RefusedError as error:
             proved, refused = (), (str(error),)
-    except (KeyError, TypeError, ValueError, IndexError, AttributeError, RecursionError) as error:
+    except (KeyError, TypeError, ValueError, IndexError, AttributeError, RecursionError, ArithmeticError) as error:
         raise exact.UnreadableError(f"{type(error).__name__}: {error}") from error
     return exact.Verdict(name, proved, refused, open_claims)
 
@@ -508,7 +509,7 @@ def main(arguments: Sequence[str]) -> int:
     except (OSError, ValueError, RecursionError, MemoryError, exact.UnreadableError) as error:
         print(f"{arguments[0]}: no proof file with ways: {exact.printable(str(error)[:200])}", file=sys.stderr)
         return 2
-    print(str(verdict))
+    exact.said(str(verdict))
     return 0 if verdict.holds else 1
 
 

@@ -961,6 +961,12 @@ def values_of(text: str) -> Any:
     return json.loads(text, object_pairs_hook=once, parse_constant=refused)
 
 
+def said(text: str) -> None:
+    """Prints it; where the console has no such letter, its number stands for it."""
+    encoding = sys.stdout.encoding or "ascii"
+    print(text.encode(encoding, "backslashreplace").decode(encoding))
+
+
 def digest(text: str) -> str:
     """SHA-256 of a description, hexadecimal."""
     return hashlib.sha256(text.encode()).hexdigest()
@@ -1011,7 +1017,7 @@ def main(arguments: Sequence[str]) -> int:
     except (OSError, ValueError, RecursionError, MemoryError, UnreadableError) as error:
         print(f"{arguments[0]}: not a certificate that can be read: {printable(str(error)[:200])}", file=sys.stderr)
         return 2
-    print(verdict)
+    said(str(verdict))
     return 0 if verdict.holds else 1
 
 
