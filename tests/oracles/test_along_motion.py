@@ -25,7 +25,7 @@ from symscrew.mobility.motions.coordinate_lines import (
 )
 from symscrew.mobility.motions.germs import germs_at
 from symscrew.mobility.motions.held_spins import HeldSpins
-from symscrew.mobility.motions.screw_classes import class_of_motions
+from symscrew.mobility.screw_classes import class_of_motions
 
 pytestmark = pytest.mark.slow
 
@@ -109,7 +109,7 @@ def test_singular_poses_close_and_lose_what_they_say(name: str) -> None:
 def test_what_holds_on_the_whole_branch() -> None:
     rocker = along("four_bar")
     assert [c.type for c in rocker.classes] == ["1R"] and rocker.constant and not rocker.idle
-    assert rocker.axes == {"the axis of D": "D joins rocker to base and has no other freedom"}
+    assert rocker.axes == {"about the axis of D": "D joins rocker to base and has no other freedom"}
     bennett = along("bennett")
     assert not bennett.constant and bennett.singular == ()  # no special pose: Bennett's linkage turns all round
     folded = along("kinematotropic_double_fold-mode2")

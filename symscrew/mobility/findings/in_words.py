@@ -45,7 +45,8 @@ def sections(found: Mobility) -> list[tuple[str, list[str]]]:
         limbs.setdefault((*lines, *_displaced(found, limb.name)), []).append(limb.name)
     for facts, names in limbs.items():
         result.append((f"{'Limbs' if len(names) > 1 else 'Limb'} {', '.join(names)}", list(facts)))
-    lines = [f"{_count(found.platform.dof, 'freedom')}, type {found.platform.type}"]
+    motion_type = found.platform.motion_type
+    lines = [f"{_count(found.platform.dof, 'freedom')}, type {motion_type}{_meaning(motion_type)}"]
     lines += [describe_twist(t) for t in found.platform.freedoms.basis]
     if found.symbolic is not None and found.platform.body == found.mechanism.platform and found.symbolic.freedoms:
         lines.append(f"in symbols (omega ; v): {inline(found.symbolic.freedoms)}")
@@ -82,6 +83,11 @@ def _count(number: int, what: str) -> str:
     return f"{number or 'no'} {what}{'' if number == 1 else 's'}"
 
 
+def _meaning(motion_type: str) -> str:
+    """What a letter says that not everybody uses."""
+    return ", H being a screw motion of a pitch other than 0" if "H" in motion_type else ""
+
+
 def key_figures(found: Mobility) -> list[tuple[str, str]]:
     """(what, value) for the table at the head of a report."""
     finite = found.finite
@@ -93,7 +99,7 @@ def key_figures(found: Mobility) -> list[tuple[str, str]]:
         ("branches", branches),
         ("Kutzbach-Gruebler", str(found.kutzbach)),
         ("redundant constraints", str(found.overconstraints)),
-        (f"freedoms of {found.platform.body}", f"{found.platform.dof} ({found.platform.type})"),
+        (f"freedoms of {found.platform.body}", f"{found.platform.dof} ({found.platform.motion_type})"),
         ("internal freedoms", str(found.internal_freedoms)),
     ]
     if found.dof_drives_locked is not None:
@@ -163,8 +169,9 @@ def _near(found: Mobility, near: Near) -> list[str]:
              f"{finite.judgement})"]  # fmt: skip
     if finite.branches:
         facts.append("branches of dimension " + ", ".join(map(str, finite.branches)) + " through it")
-    if meant.platform.type != found.platform.type:
-        facts.append(f"type {meant.platform.type} of {meant.platform.body} (as typed {found.platform.type})")
+    special, typed = meant.platform.motion_type, found.platform.motion_type
+    if special != typed:
+        facts.append(f"type {special} of {meant.platform.body} (as typed {typed})")
     if meant.dof_drives_locked != found.dof_drives_locked:
         left = f"{_count(meant.dof_drives_locked or 0, 'freedom')} left with all drives locked"
         facts.append(f"{left} (as typed {found.dof_drives_locked})")

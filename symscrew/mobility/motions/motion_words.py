@@ -8,7 +8,7 @@ import numpy as np
 
 from symscrew.description import Mechanism
 from symscrew.mobility.joint_network import Network
-from symscrew.mobility.motions.branch_words import freedom_names
+from symscrew.mobility.motions.branch_words import freedom_names, named_axes
 from symscrew.mobility.motions.singular_poses import MOST_FREEDOMS, SingularPose
 from symscrew.mobility.motions.whole_motion import WholeMotion
 
@@ -34,13 +34,16 @@ def motion_lines(found: WholeMotion, network: Network, mechanism: Mechanism, bod
         changes = not found.constant and len(found.classes) == 1 and bool(system.pitches)
         pitch = ", principal pitches not constant" if changes else ""
         why = f" of the branch (proved: {found.type_proof})" if found.type_proof else ""
-        lines.append(f"{body} {system.type}, {system if found.constant else system.words}: {kept}{why}{pitch}")
-    lines += [f"{body} {system.type}, {system.words}: elsewhere" for system in found.classes[1:]]
+        lines.append(f"{body} {system.motion_type}, {system if found.constant else system.words}: {kept}{why}{pitch}")
+    lines += [f"{body} {system.motion_type}, {system.words}: elsewhere" for system in found.classes[1:]]
     group = found.group.system if found.group is not None else None
     if group is not None and not found.type_proof and 0 < group.order < ALL:
-        lines.append(f"{body} stays in a group of displacements, {group.type}, {group}, on the whole branch (proved)")
-    for axis, why in found.axes.items():
-        lines.append(f"{body} moves about or along {axis} all along ({f'proved: {why}' if why else 'sampled'})")
+        lines.append(
+            f"{body} stays in a group of displacements on the whole branch (proved): {group.motion_type}, {group}"
+        )
+    for why in dict.fromkeys(found.axes.values()):
+        axes = named_axes([axis for axis, reason in found.axes.items() if reason == why])
+        lines.append(f"{body} can move {axes} all along ({f'proved: {why}' if why else 'sampled'})")
     judged = f"proved: {found.idle_proof}" if found.idle_proof else "sampled"
     lines.append(f"never move: {', '.join(found.idle)} ({judged})" if found.idle else "every joint moves")
     for column, kind in found.lost:
@@ -103,7 +106,12 @@ def motion_values(found: WholeMotion, network: Network, mechanism: Mechanism) ->
         "poses_beside": found.beside,
         "judgement": "sampled",
         "classes": [
-            {"type": c.type, "class": c.name, "principal_pitches": list(c.pitches) if found.constant else None}
+            {
+                "type": c.type,
+                "motion_type": c.motion_type,
+                "class": c.name,
+                "principal_pitches": list(c.pitches) if found.constant else None,
+            }
             for c in found.classes
         ],
         "constant": found.constant,
