@@ -273,5 +273,5 @@ def _held(network: Network, axis: str, group: CommonGroup) -> str:
     """Why a body that has all freedoms of a group moves about an axis all along; empty where that was only seen."""
     for name in group.fixed:
         if axis.endswith(f" of {name}"):
-            return f"{name} is at rest on {network.ground}, and its screw is in the {group.system.motion_type} group"
+            return f"of a joint at rest on {network.ground}, with its screw in the {group.system.motion_type} group"
     return ""
