@@ -90,8 +90,8 @@ def singular_poses(setting: Setting, tracks: Sequence[Track]) -> tuple[SingularP
     for line in tracks:
         for loss, passed in _on(setting, line):
             joints = setting.variety.places(loss.place)
-            same = [group for of, group, there, _ in found
-                    if of.column == line.column and _same((group[0], there), (loss, joints))]  # fmt: skip
+            same = [group for of, group, there, _ in found if of.column == line.column
+                    and (_same((group[0], there), (loss, joints)) or _also(setting, of, loss, group))]  # fmt: skip
             if not same:
                 found.append((line, [loss], joints, passed))
             elif all(loss.kind != other.kind for other in same[0]):
@@ -103,6 +103,15 @@ def _same(a: tuple[Loss, Array], b: tuple[Loss, Array]) -> bool:
     """Whether two losses, each with the places of the joints there, are at one pose."""
     exact = a[0].real is True and b[0].real is True
     return bool(np.linalg.norm(a[1] - b[1]) < (SAME_OF_60 if exact else SAME))
+
+
+def _also(setting: Setting, line: Track, loss: Loss, group: Sequence[Loss]) -> bool:
+    """Whether a loss next to others is at their pose: of several at once each is found apart, to half the digits."""
+    first = group[0]
+    if not loss.real or not first.real or any(loss.kind == other.kind for other in group):
+        return False
+    near = np.linalg.norm(loss.place - first.place) < SAME
+    return bool(near) and bool(at_pose(setting, line, replace(loss, real=None), first).real)
 
 
 def _on(setting: Setting, line: Track) -> Iterator[tuple[Loss, int]]:
