@@ -299,7 +299,7 @@ def _verdict(found: Mobility, expect: int | None, failed: list[str]) -> str:
         return f"verified by another route; finite mobility {judged}"
     if found.finite.dof == expect:
         return f"verified: finite mobility {expect}, {judged}"
-    from symscrew.mobility.finite import named_spins
+    from symscrew.mobility import named_spins
 
     spins = len(named_spins(found.network))
     passive = f", of it {spins} passive spin{'s' * (spins > 1)} (a U for one of two S takes it away)" if spins else ""

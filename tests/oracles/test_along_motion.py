@@ -70,6 +70,22 @@ def test_dead_points_of_a_four_bar() -> None:
     assert sorted(reaches) == pytest.approx([abs(coupler - crank), coupler + crank])
 
 
+def test_what_is_lost_at_once_is_lost_at_one_pose() -> None:
+    """Of the seed's limb4 the first two freedoms, the drives' hold and a freedom of the platform, at one pose."""
+    poses = [pose for pose in along("three_ups_upu_s").singular if "limb4" in pose.kinds]
+    assert poses and all({"drives", "platform", "limb4"} <= set(pose.kinds) for pose in poses)
+    every = along("three_ups_upu_s").singular
+    assert all(np.linalg.norm(a.q - b.q) > 1e-3 for a in every for b in every if a.column == b.column and a is not b)
+
+
+def test_equal_limbs_have_their_singular_poses_in_one_line(capsys: pytest.CaptureFixture[str]) -> None:
+    main(["mobility", "planar_3rrr", "--along", "--full"])
+    text = capsys.readouterr().out
+    assert "at limb1_R1, limb2_R1, limb3_R1 = 1.3136 rad (75.26 deg), each alone: platform has fewer freedoms; " in text
+    assert "each alone, past an end of its range: platform has" in text and "screws of its limb become" in text
+    assert "more singular poses" not in text and "That is of limb1; likewise the others" in text
+
+
 def test_a_parallelogram_has_two_change_points() -> None:
     poses = along("parallelogram").singular
     assert len(poses) == 2
