@@ -75,6 +75,7 @@ def test_what_is_lost_at_once_is_lost_at_one_pose() -> None:
     poses = [pose for pose in along("three_ups_upu_s").singular if "limb4" in pose.kinds]
     assert poses and all({"drives", "platform", "limb4"} <= set(pose.kinds) for pose in poses)
     every = along("three_ups_upu_s").singular
+    assert {pose.locked for pose in every if "closure" in pose.kinds} == {1}  # four drives hold two of three freedoms
     assert all(np.linalg.norm(a.q - b.q) > 1e-3 for a in every for b in every if a.column == b.column and a is not b)
 
 

@@ -89,6 +89,7 @@ def _singular(pose: SingularPose, network: Network, mechanism: Mechanism) -> dic
         "almost": dict(pose.almost),
         "open": list(pose.open),
         "instantaneous": pose.instantaneous,
+        "with_drives_locked": pose.locked,
         "branches": list(pose.branches),
         "displacements": _rounded(pose.q),
     }

@@ -70,6 +70,7 @@ class SingularPose:
         almost: kinds that are almost lost, and are not as typed -> by how much the equations of the loss stay open.
         open: kinds that are lost as far as doubles tell, no more.
         untried: there are more than `MOST_FREEDOMS`, so that branches were not looked for.
+        locked: instantaneous freedoms there with all drives locked, without passive spins; None where not asked.
         ends_passed: how often the coordinate has turned back on the way from the reference.
     """
 
@@ -81,6 +82,7 @@ class SingularPose:
     almost: Mapping[str, float] = field(default_factory=dict)
     open: tuple[str, ...] = ()
     untried: bool = False
+    locked: int | None = None
     ends_passed: int = 0
 
 
@@ -238,7 +240,11 @@ def _judged(setting: Setting, line: Track, losses: Sequence[Loss]) -> SingularPo
     q = (known or losses[0]).place
     closure = known is not None and "closure" in kinds
     instantaneous, branches = _crossing(setting, known.q) if closure and known is not None else (setting.whole, ())
-    return SingularPose(line.column, q, kinds, instantaneous, branches or (), almost, undecided, branches is None)
+    locked = None
+    if closure and known is not None and setting.drives:
+        locked = freedoms_at(setting, known.q, setting.drives) - (setting.whole - setting.dimension)
+    untried = branches is None
+    return SingularPose(line.column, q, kinds, instantaneous, branches or (), almost, undecided, untried, locked)
 
 
 def _crossing(setting: Setting, q: Array) -> tuple[int, tuple[int, ...] | None]:
