@@ -64,8 +64,8 @@ def _words(pose: SingularPose, body: str, *, limbs: bool, alone: bool) -> str:
     parts += [limb_words(dependent)] if dependent else []
     if "closure" in pose.kinds:
         crossing = ", ".join(map(str, pose.branches))
-        left = f", {pose.locked} with all drives locked" if pose.locked else ""
-        parts.append(f"{pose.instantaneous} instantaneous freedoms{left}")
+        locked = f", {pose.locked} with all drives locked" if pose.locked else ""
+        parts.append(f"{pose.instantaneous} instantaneous freedoms{locked}")
         untold = UNTRIED if pose.untried else "its branches were not told apart"
         parts.append(f"branches of dimension {crossing} meet" if pose.branches else untold)
     parts += [f"{kind_words(kind, body)}, as far as doubles tell" for kind in pose.open]

@@ -87,7 +87,8 @@ def freedoms_at(setting: Setting, q: Array, locked: Sequence[int] = ()) -> int:
     """Instantaneous freedoms at a pose of 60 digits, with the joint freedoms of some columns locked."""
     fine = setting.fine_with_spins
     slopes = np.delete(fine.slopes(q[None])[0], list(locked), axis=1)
-    return slopes.shape[1] - eliminate(slopes.tolist(), slopes.shape[1]).rank
+    columns = int(slopes.shape[1])
+    return columns - eliminate(slopes.tolist(), columns).rank
 
 
 class _Equations:
