@@ -333,4 +333,8 @@ def _verdict(found: Mobility, expect: int | None, failed: list[str]) -> str:
         return f"verified by another route; finite mobility {judged}"
     if found.finite.dof == expect:
         return f"verified: finite mobility {expect}, {judged}"
-    return f"NOT as expected: finite mobility {found.finite.dof}, expected {expect}"
+    from symscrew.mobility import named_spins
+
+    spins = len(named_spins(found.network))
+    passive = f", of it {spins} passive spin{'s' * (spins > 1)} (a U for one of two S takes it away)" if spins else ""
+    return f"NOT as expected: finite mobility {found.finite.dof}{passive}, expected {expect}"

@@ -109,7 +109,7 @@ def _moves(found: Mobility) -> str:
     drives = len(found.network.driven)
     return (
         f"mobility {found.finite.dof if found.finite.dof is not None else found.dof}, {found.platform.body} "
-        f"{found.platform.type or 'at rest'}, {drives} drive{'s' * (drives != 1)}"
+        f"{found.platform.motion_type}, {drives} drive{'s' * (drives != 1)}"
     )
 
 

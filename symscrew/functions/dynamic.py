@@ -251,7 +251,7 @@ class Equations:
             )
         passive = len(self.balance.unbalanced) + self.solution.unreachable
         if passive:
-            notes.append(f"{passive} freedoms {NO_DRIVE}: the motion must obey their own equations")
+            notes.append(f"{passive} freedom{'s' * (passive > 1)} {NO_DRIVE}: the motion must obey their own equations")
         return tuple(notes)
 
 

@@ -72,7 +72,7 @@ if TYPE_CHECKING:
         mobility_values,
         sections,
     )
-    from symscrew.mobility.finite import ClosureVariety, moved
+    from symscrew.mobility.finite import ClosureVariety, moved, named_spins
     from symscrew.mobility.instantaneous import BodyFreedoms, LimbMobility
     from symscrew.mobility.joint_network import Edge, Network, network_of
     from symscrew.mobility.margins import FORMS, Margin, Margins, actuation_margins, constraint_margins, limb_margins
@@ -168,6 +168,7 @@ __all__ = [
     "motion_lines",
     "motion_values",
     "moved",
+    "named_spins",
     "network_of",
     "numerical_components",
     "numerical_lines",

@@ -107,7 +107,7 @@ class Mobility:
         finite = "not decided" if self.finite.dof is None else self.finite.dof
         return (
             f"<Mobility of {self.mechanism.name}: {self.dof} instantaneous, {finite} finite, "
-            f"{self.platform.body} {self.platform.type}, {self.overconstraints} redundant constraints>"
+            f"{self.platform.body} {self.platform.motion_type}, {self.overconstraints} redundant constraints>"
         )
 
     def without(self, statements: Set[str]) -> Mobility:

@@ -20,20 +20,23 @@ from symscrew.algebra import CONTEXT, cross
 from symscrew.mobility.finite import passive_freedoms
 from symscrew.mobility.instantaneous import BodyFreedoms, Instantaneous, LimbMobility
 from symscrew.mobility.joint_network import Network
-from symscrew.mobility.screw_systems import Row, Screw, ScrewSystem, eliminate, span, unit_rows
+from symscrew.mobility.screw_systems import Row, Screw, ScrewSystem, combine, eliminate, span, unit_rows
+from symscrew.mobility.screw_text import describe_type
 
 GROUPS = {
-    (1, 0): "T, translation along a line",
-    (1, 1): "R or H, turns about an axis",
-    (2, 0): "T2, translations in a plane",
-    (2, 1): "C, cylinder",
-    (3, 0): "T3, translations",
-    (3, 1): "G, planar (or Y, with a pitch)",
-    (3, 3): "S, spherical",
-    (4, 1): "X, Schoenflies",
-    (6, 3): "D, all displacements",
+    "1T": "T, translations along a line",
+    "1R": "R, rotations about an axis",
+    "1H": "H, screw motions about an axis",
+    "2T": "T2, translations in a plane",
+    "1R1T": "C, cylindrical",
+    "3T": "T3, translations",
+    "1R2T": "G, planar",
+    "1H2T": "Y, planar with a pitch",
+    "3R": "S, spherical",
+    "1R3T": "X, Schoenflies",
+    "3R3T": "D, all displacements",
 }
-"""(dimension, how many turn) -> name of the group of displacements, in J. M. Herve's letters."""
+"""Type of the freedoms -> name of the group of displacements, in J. M. Herve's letters."""
 
 ROUNDING = CONTEXT.mpf(10) ** -27
 """Of the screws: what is smaller in a bracket is zero, as for ranks (`screw_systems.ZERO_BELOW`)."""
@@ -174,11 +177,18 @@ def _loops(network: Network) -> tuple[LoopCount, ...]:
         screws = [s for joint, _ in loop for s in network.edges[joint].screws]
         system = span(unit_rows(_centred(network, screws)), 6)
         group = _closed_under_brackets(system)
-        turning = eliminate([s[:3] for s in group.basis], 3).rank
         dimension = len(group.basis)
-        words = GROUPS.get((dimension, turning), f"of dimension {dimension}")
+        words = GROUPS.get(_group_type(group.basis), f"of dimension {dimension}")
         result.append(LoopCount(name, len(system.basis), dimension, words))
     return tuple(result)
+
+
+def _group_type(basis: Sequence[Screw]) -> str:
+    """The type of a group's freedoms. Groups with a pitch are H, and Y with its translations across the axis."""
+    dimension, turning = len(basis), eliminate([s[:3] for s in basis], 3).rank
+    turn, shift = basis[0][:3], basis[0][3:]  # an echelon basis begins with what turns
+    pitched = turning == 1 and dimension in (1, 3) and bool(combine([turn], shift)[0])
+    return describe_type(dimension, turning, int(pitched))
 
 
 def _closed_under_brackets(system: ScrewSystem) -> ScrewSystem:

@@ -12,10 +12,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
 
 from symscrew.description import Mechanism
 from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.mobility.joint_network import Network
+from symscrew.mobility.screw_classes import ScrewClass, screw_class
 from symscrew.mobility.screw_systems import (  # fmt: skip
     Real,
     Screw,
@@ -46,15 +50,19 @@ class LimbMobility:
 
 @dataclass(frozen=True)
 class BodyFreedoms:
-    """Freedoms of a body: twists (omega ; v_O) [1, m], their type, and the wrenches reciprocal to all of them."""
+    """Freedoms of a body: twists (omega ; v_O) [1, m], their type, and the wrenches reciprocal to all of them.
+
+    `length`: of the mechanism [m].
+    """
 
     body: str
     freedoms: ScrewSystem
     constraints: ScrewSystem
     rotations: int
+    length: Real
 
     def __repr__(self) -> str:
-        return f"<BodyFreedoms of {self.body}: {self.dof}, type {self.type}>"
+        return f"<BodyFreedoms of {self.body}: {self.dof}, type {self.motion_type}>"
 
     @property
     def dof(self) -> int:
@@ -63,8 +71,18 @@ class BodyFreedoms:
 
     @property
     def type(self) -> str:
-        """`2R`, `3T`, `1R3T`, `0`: first the dimension of the angular-velocity projection."""
+        """`2R`, `3T`, `1R3T`, `0`: first the dimension of the angular-velocity projection, whatever the pitches."""
         return describe_type(self.dof, self.rotations)
+
+    @cached_property
+    def system(self) -> ScrewClass:
+        """Their class as a screw system, with principal pitches [m], in 60 digits."""
+        return screw_class(np.array(self.freedoms.basis, dtype=object).reshape(-1, 6), self.length)
+
+    @property
+    def motion_type(self) -> str:
+        """The same with H for screw motions, whose pitch is not zero: `1H` of the coupler of a Bennett linkage."""
+        return describe_type(self.dof, self.rotations, self.system.helical)
 
 
 @dataclass(frozen=True)
@@ -112,12 +130,8 @@ def body_freedoms(network: Network, found: Instantaneous, body: str) -> BodyFree
     freedoms = span(twists, 6)
     rotations = eliminate([twist[:3] for twist in freedoms.basis], 3).rank
     constraints = null_space([swapped(twist) for twist in freedoms.basis], 6)
-    return BodyFreedoms(
-        body,
-        _to_metres(freedoms, network.length),
-        _to_metres(constraints, network.length),
-        rotations,
-    )
+    length = network.length
+    return BodyFreedoms(body, _to_metres(freedoms, length), _to_metres(constraints, length), rotations, length)
 
 
 def limb_mobility(network: Network, name: str, joints: Sequence[str]) -> LimbMobility:

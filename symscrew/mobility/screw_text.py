@@ -18,17 +18,16 @@ def describe_twist(twist: Sequence[Real]) -> str:
     return f"{_words(twist, 'rotation', 'translation', 'screw motion')}: ({text(twist[:3])}; {text(twist[3:])})"
 
 
-def describe_type(dimension: int, rotations: int) -> str:
-    """The type of a system of freedoms, rotations first: `2R`, `3T`, `1R3T`, `0`.
+def describe_type(dimension: int, rotations: int, helical: int = 0) -> str:
+    """The type of a system of freedoms, rotations first: `2R`, `3T`, `1R3T`, `1H`, `0`.
 
-    `rotations` is the dimension of the angular-velocity projection; it does not imply zero pitch.
+    `rotations` is the dimension of the angular-velocity projection; `helical` of these have a pitch other than zero.
 
-    >>> describe_type(4, 1), describe_type(0, 0)
-    ('1R3T', '0')
+    >>> describe_type(4, 1), describe_type(0, 0), describe_type(3, 2, 1)
+    ('1R3T', '0', '1R1H1T')
     """
-    translations = dimension - rotations
-    parts = (f"{rotations}R" if rotations else "", f"{translations}T" if translations else "")
-    return "".join(parts) or "0"
+    counts = {"R": rotations - helical, "H": helical, "T": dimension - rotations}
+    return "".join(f"{count}{letter}" for letter, count in counts.items() if count) or "0"
 
 
 def axis_of(screw: Sequence[Real]) -> tuple[Vector, Vector, Real] | None:

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import sympy
+from sympy.printing.latex import LatexPrinter
 
 DIGITS = 12  # of a number that is no short fraction or root: more than a page has, fewer than rounding leaves
 DEGREE = 57.29577951308232  # of a radian
@@ -43,11 +44,26 @@ class Part:
     """LaTeX of symbols that appear here first -> what they are, with units."""
 
 
+class PositiveFirst(LatexPrinter):  # type: ignore[misc]
+    r"""LaTeX of sums that begin with a term without a minus where they have one: `R - r`, as one writes it.
+
+    >>> R, r = sympy.symbols("r_a r_b")
+    >>> PositiveFirst().doprint(r - R)
+    'r_{b} - r_{a}'
+    """
+
+    def _as_ordered_terms(self, expression: sympy.Expr, order: str | None = None) -> list[sympy.Expr]:
+        terms = list(super()._as_ordered_terms(expression, order=order))
+        first = next((k for k, term in enumerate(terms) if not term.could_extract_minus_sign()), 0)
+        return [terms[first], *terms[:first], *terms[first + 1 :]]
+
+
 def latex_of(expression: sympy.Expr, names: Mapping[sympy.Symbol, str]) -> str:
     """LaTeX of an expression; numbers of many digits as decimals."""
     shown = expression
     numbers = {n: _decimal(n) for n in _numbers(shown) if len(str(n)) > LONG_NUMBER}
-    return str(sympy.latex(shown.xreplace(numbers), symbol_names=dict(names), fold_short_frac=False, full_prec=False))
+    printer = PositiveFirst({"symbol_names": dict(names), "fold_short_frac": False, "full_prec": False})
+    return str(printer.doprint(shown.xreplace(numbers)))
 
 
 def _numbers(expression: sympy.Expr) -> set[sympy.Expr]:

@@ -25,7 +25,7 @@ from symscrew.mobility.motions.coordinate_lines import (
 )
 from symscrew.mobility.motions.germs import germs_at
 from symscrew.mobility.motions.held_spins import HeldSpins
-from symscrew.mobility.motions.screw_classes import class_of_motions
+from symscrew.mobility.screw_classes import class_of_motions
 
 pytestmark = pytest.mark.slow
 
@@ -70,6 +70,23 @@ def test_dead_points_of_a_four_bar() -> None:
     assert sorted(reaches) == pytest.approx([abs(coupler - crank), coupler + crank])
 
 
+def test_what_is_lost_at_once_is_lost_at_one_pose() -> None:
+    """Of the seed's limb4 the first two freedoms, the drives' hold and a freedom of the platform, at one pose."""
+    poses = [pose for pose in along("three_ups_upu_s").singular if "limb4" in pose.kinds]
+    assert poses and all({"drives", "platform", "limb4"} <= set(pose.kinds) for pose in poses)
+    every = along("three_ups_upu_s").singular
+    assert {pose.locked for pose in every if "closure" in pose.kinds} == {1}  # four drives hold two of three freedoms
+    assert all(np.linalg.norm(a.q - b.q) > 1e-3 for a in every for b in every if a.column == b.column and a is not b)
+
+
+def test_equal_limbs_have_their_singular_poses_in_one_line(capsys: pytest.CaptureFixture[str]) -> None:
+    main(["mobility", "planar_3rrr", "--along", "--full"])
+    text = capsys.readouterr().out
+    assert "at limb1_R1, limb2_R1, limb3_R1 = 1.3136 rad (75.26 deg), each alone: platform has fewer freedoms; " in text
+    assert "each alone, past an end of its range: platform has" in text and "screws of its limb become" in text
+    assert "more singular poses" not in text and "That is of limb1; likewise the others" in text
+
+
 def test_a_parallelogram_has_two_change_points() -> None:
     poses = along("parallelogram").singular
     assert len(poses) == 2
@@ -109,7 +126,7 @@ def test_singular_poses_close_and_lose_what_they_say(name: str) -> None:
 def test_what_holds_on_the_whole_branch() -> None:
     rocker = along("four_bar")
     assert [c.type for c in rocker.classes] == ["1R"] and rocker.constant and not rocker.idle
-    assert rocker.axes == {"the axis of D": "D joins rocker to base and has no other freedom"}
+    assert rocker.axes == {"about the axis of D": "D joins rocker to base and has no other freedom"}
     bennett = along("bennett")
     assert not bennett.constant and bennett.singular == ()  # no special pose: Bennett's linkage turns all round
     folded = along("kinematotropic_double_fold-mode2")

@@ -70,7 +70,7 @@ def test_a_cusp_leaves_to_one_side() -> None:
 def test_joints_at_rest_and_axes() -> None:
     rows = {platform(row).type: row for row in table("rhombus, two branches").rows}
     assert rows["1R"].idle == ("J1", "J3") and rows["1T"].idle == ()
-    assert rows["1R"].axes == ("the axis of J2", "the axis of J4") and rows["1T"].axes == ()
+    assert rows["1R"].axes == ("about the axis of J2", "about the axis of J4") and rows["1T"].axes == ()
     assert table("sarrus-flat_folded").rows[0].idle == ("b0", "b1")
 
 

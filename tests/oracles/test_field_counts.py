@@ -58,7 +58,7 @@ EXPECTED = {
     "bricard plane-symmetric": (1, 0, 0, "D", "d = 5: Phillips 1990"),
     "schatz_turbula": (1, 0, 0, "D", "d = 5: Phillips 1990, vol. 2"),
     "waldron hybrid": (1, 0, 0, "D", "d = 5: Waldron 1968"), "double_hooke": (1, 0, 0, "D", "d = 5: Baker 2002"),
-    "delassus_4h": (3, 0, 0, "G", "d = 3: Waldron 1979"), "4P": (3, 0, 0, "T3", "d = 3: Herve 1978"),
+    "delassus_4h": (3, 0, 0, "Y", "d = 3: Waldron 1979"), "4P": (3, 0, 0, "T3", "d = 3: Herve 1978"),
     "general_7r": (0, 0, 0, "D", "d = 6: Hunt 1978"), "RCCC": (0, 0, 0, "D", "d = 6: Hunt 1978"),
     "rssr": (0, 0, 1, "D", "d = 6, the coupler spins: Hunt 1978"),
     "stewart_6ups": (0, 0, 0, "D", "d = 6: Merlet 2006"),

@@ -344,7 +344,7 @@ def test_what_follows_from_other_lengths_is_named() -> None:
     """A rod between points is no root, masses are no lengths, and a limb is written in a plane of its own."""
     made = paper_formulas(parse_description(ARM))
     found = {f.name: f.latex for f in made.formulas}
-    assert found[r"\mathrm{depth}"] == r"\sqrt{- \mathrm{inwards}^{2} + \mathrm{rod}^{2}}"
+    assert found[r"\mathrm{depth}"] == r"\sqrt{\mathrm{rod}^{2} - \mathrm{inwards}^{2}}"
     assert found[r"\cos \varphi_{11}"] == r"\frac{\mathrm{depth}}{\mathrm{rod}}"
     assert found[r"\boldsymbol{S}_{11}"].split()[1::2] == ["0", "1", "0", "0", "0", r"\mathrm{reach}"]
     assert found[r"\boldsymbol{S}_{1}"].startswith(r"\boldsymbol{Z}(330^{\circ})")
@@ -393,7 +393,7 @@ def test_a_locus_is_no_number_and_a_wrench_has_no_common_factor() -> None:
     found = {f.name: f.latex for f in paper("rps").formulas}
     assert found[r"\boldsymbol{V}_{11}"] == (
         r"\begin{pmatrix} 0 \\ l \\ 0 \\ - H \left(d_{12} + l\right) \\ 0 \\ "
-        r"d_{12} \left(- R + r\right) + l r \end{pmatrix}"
+        r"d_{12} \left(r - R\right) + l r \end{pmatrix}"
     )
     assert [f.latex for f in paper("rps").formulas if f.code[:1] == ("locus",)] == ["r"]
 

@@ -156,7 +156,7 @@ def _pose_mode(mode: PoseMode, found: PoseModes) -> str:
     witness = mode.motion
     more = f", of {witness.freedoms} freedoms of the joints" if witness.freedoms > mode.part.dimension else ""
     return (
-        f"{_line(mode.part, f'{mode.count} of {found.found}')}; {found.body} {witness.system.type}, "
+        f"{_line(mode.part, f'{mode.count} of {found.found}')}; {found.body} {witness.system.motion_type}, "
         f"{witness.system}{_about(witness)}; at the witness, closed to {witness.residual:.0e}, the rank "
         f"{'in 60 digits ' if witness.exact else ''}leaves {mode.part.dimension}{more}"
     )
@@ -176,7 +176,8 @@ def pose_values(found: PoseModes) -> dict[str, Any]:
     modes = [
         {"dimension": m.part.dimension, "degree": m.part.degree, "through_reference": m.part.through,
          "equations": [f"{e} = 0" for e in m.part.equations], "real_configurations": m.count,
-         "platform": {"type": m.motion.system.type, "class": m.motion.system.name,
+         "platform": {"type": m.motion.system.type, "motion_type": m.motion.system.motion_type,
+                      "class": m.motion.system.name,
                       "axis": None if m.motion.axis is None else m.motion.axis.round(12).tolist(),
                       "upright": m.motion.upright},
          "witness": {"displacements": m.motion.q.tolist(), "closed_to": m.motion.residual,

@@ -5,7 +5,8 @@ Mobility --sections--> [(heading, lines)] --documents--> text, Markdown, HTML, L
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import re
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,7 +15,7 @@ import sympy
 from symscrew.mobility.field_counts import as_lines as counts_in_words
 from symscrew.mobility.findings.at_rest import resting_lines
 from symscrew.mobility.findings.places import place_lines
-from symscrew.mobility.findings.typeset import inline, presentable
+from symscrew.mobility.findings.typeset import inline, presentable, vanishing
 from symscrew.mobility.finite import lone_pairs, named_spins
 from symscrew.mobility.motions import branch_lines
 from symscrew.mobility.screw_text import describe_twist, describe_wrench
@@ -36,16 +37,22 @@ def sections(found: Mobility) -> list[tuple[str, list[str]]]:
     if lines := place_lines(found):
         result.append(("Configuration", lines))
     symbolic = {limb.name: limb for limb in found.symbolic.limbs} if found.symbolic else {}
-    limbs: dict[tuple[str, ...], list[str]] = {}
+    limbs: dict[tuple[str, ...], list[tuple[str, tuple[str, ...]]]] = {}
     for limb in found.limbs:
         lines = [f"{_count(len(limb.screws), 'joint freedom')}, {_count(len(limb.constraints.basis), 'constraint')}"]
         lines += [describe_wrench(w) for w in limb.constraints.basis]
         if limb.name in symbolic and symbolic[limb.name].constraints:
             lines.append(f"in symbols (f ; m): {inline(symbolic[limb.name].constraints)}")
-        limbs.setdefault((*lines, *_displaced(found, limb.name)), []).append(limb.name)
-    for facts, names in limbs.items():
-        result.append((f"{'Limbs' if len(names) > 1 else 'Limb'} {', '.join(names)}", list(facts)))
-    lines = [f"{_count(found.platform.dof, 'freedom')}, type {found.platform.type}"]
+        alike = {name: f"\0{k}\0" for k, name in enumerate(limb.joints)}
+        facts = (*lines, *_displaced(found, limb.name))
+        limbs.setdefault(tuple(_renamed(fact, alike) for fact in facts), []).append((limb.name, facts))
+    for same in limbs.values():
+        (name, facts), several = same[0], len(same) > 1
+        others = any(facts != further for _, further in same)
+        title = f"{'Limbs' if several else 'Limb'} {', '.join(name for name, _ in same)}"
+        result.append((title, [*facts, *([f"That is of {name}; likewise the others with their own joints"] * others)]))
+    motion_type = found.platform.motion_type
+    lines = [f"{_count(found.platform.dof, 'freedom')}, type {motion_type}{_meaning(motion_type)}"]
     lines += [describe_twist(t) for t in found.platform.freedoms.basis]
     if found.symbolic is not None and found.platform.body == found.mechanism.platform and found.symbolic.freedoms:
         lines.append(f"in symbols (omega ; v): {inline(found.symbolic.freedoms)}")
@@ -78,8 +85,18 @@ def sections(found: Mobility) -> list[tuple[str, list[str]]]:
     return result
 
 
+def _renamed(text: str, names: Mapping[str, str]) -> str:
+    """The text with whole names replaced, of joints by their places in a limb."""
+    return re.sub(r"\w+", lambda word: names.get(word[0], word[0]), text)
+
+
 def _count(number: int, what: str) -> str:
     return f"{number or 'no'} {what}{'' if number == 1 else 's'}"
+
+
+def _meaning(motion_type: str) -> str:
+    """What a letter says that not everybody uses."""
+    return ", H being a screw motion of a pitch other than 0" if "H" in motion_type else ""
 
 
 def key_figures(found: Mobility) -> list[tuple[str, str]]:
@@ -93,7 +110,7 @@ def key_figures(found: Mobility) -> list[tuple[str, str]]:
         ("branches", branches),
         ("Kutzbach-Gruebler", str(found.kutzbach)),
         ("redundant constraints", str(found.overconstraints)),
-        (f"freedoms of {found.platform.body}", f"{found.platform.dof} ({found.platform.type})"),
+        (f"freedoms of {found.platform.body}", f"{found.platform.dof} ({found.platform.motion_type})"),
         ("internal freedoms", str(found.internal_freedoms)),
     ]
     if found.dof_drives_locked is not None:
@@ -151,7 +168,9 @@ def _summary(found: Mobility) -> list[str]:
         lines.append(found.nearly_singular)
     lines += found.nearly_special
     if found.dof_drives_locked is not None:
-        lines.append(f"{_count(found.dof_drives_locked, 'freedom')} left with all drives locked")
+        locked = f"{_count(found.dof_drives_locked, 'freedom')} left with all drives locked"
+        spun = found.dof_drives_locked and found.dof_drives_locked == len(named_spins(found.network))
+        lines.append(locked + (", passive" if spun else ""))
     return lines
 
 
@@ -163,8 +182,9 @@ def _near(found: Mobility, near: Near) -> list[str]:
              f"{finite.judgement})"]  # fmt: skip
     if finite.branches:
         facts.append("branches of dimension " + ", ".join(map(str, finite.branches)) + " through it")
-    if meant.platform.type != found.platform.type:
-        facts.append(f"type {meant.platform.type} of {meant.platform.body} (as typed {found.platform.type})")
+    special, typed = meant.platform.motion_type, found.platform.motion_type
+    if special != typed:
+        facts.append(f"type {special} of {meant.platform.body} (as typed {typed})")
     if meant.dof_drives_locked != found.dof_drives_locked:
         left = f"{_count(meant.dof_drives_locked or 0, 'freedom')} left with all drives locked"
         facts.append(f"{left} (as typed {found.dof_drives_locked})")
@@ -240,7 +260,7 @@ def _redundant(found: Mobility) -> list[str]:
 
 
 def _zero(locus: Locus) -> str:
-    return f"${sympy.latex(presentable(locus.expression))} = 0$" if locus.expression != 0 else "always"
+    return f"${sympy.latex(vanishing(locus.expression))} = 0$" if locus.expression != 0 else "always"
 
 
 def _loci(loci: Sequence[Locus]) -> list[str]:

@@ -41,6 +41,7 @@ def mobility_values(found: Mobility) -> dict[str, Any]:
             "body": platform.body,
             "dof": platform.dof,
             "type": platform.type,
+            "motion_type": platform.motion_type,
             "freedoms": [[float(c) for c in twist] for twist in platform.freedoms.basis],
             "freedoms_exact": [[str(c) for c in t] for t in symbolic.freedoms] if symbolic else None,
         },

@@ -65,6 +65,18 @@ def presentable(expression: sympy.Expr) -> sympy.Expr:
     return shown if shown.free_symbols else shown.evalf(6)
 
 
+def vanishing(expression: sympy.Expr) -> sympy.Expr:
+    """What is said to be zero, as it is shown, of the sign with which it begins without a minus.
+
+    >>> R, r = sympy.symbols("R r")
+    >>> vanishing(r - R), vanishing(-2 * R + r - 1)
+    (R - r, 2*R - r + 1)
+    """
+    found = presentable(expression)
+    begins = found.as_ordered_terms()[0]
+    return presentable(-expression) if begins.could_extract_minus_sign() else found
+
+
 def shown(vector: Vector) -> Vector:
     """A screw as it is shown: of unit direction where its length is a number, with presentable components.
 
@@ -118,7 +130,7 @@ def _expressions(found: Mobility) -> tuple[list[Vector], list[sympy.Expr], list[
     if not found.limbs and not isinstance(found.loops, str):
         vectors += found.loops.freedoms
         single += [rate for motion in found.loops.rates for rate in motion]
-    return [shown(v) for v in vectors], [presentable(e) for e in loci], [presentable(e) for e in single]
+    return [shown(v) for v in vectors], [vanishing(e) for e in loci], [presentable(e) for e in single]
 
 
 def typed_formulas(found: Mobility) -> dict[str, str]:

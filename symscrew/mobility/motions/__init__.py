@@ -14,11 +14,11 @@ from symscrew.mobility.motions.loop_components import (
     components_of,
 )
 from symscrew.mobility.motions.motion_words import motion_lines, motion_values
-from symscrew.mobility.motions.screw_classes import ScrewClass, class_of_motions, screw_class
 from symscrew.mobility.motions.seen_poses import Closures, seen_at
 from symscrew.mobility.motions.singular_poses import SingularPose
 from symscrew.mobility.motions.whole_branch import CommonGroup, common_group
 from symscrew.mobility.motions.whole_motion import WholeMotion, motion_along
+from symscrew.mobility.screw_classes import ScrewClass, class_of_motions, screw_class
 
 __all__ = [
     "BranchRow",

@@ -20,8 +20,8 @@ import numpy as np
 from symscrew.mobility.finite import FiniteMobility, Witness, rotation_vector
 from symscrew.mobility.joint_network import Network
 from symscrew.mobility.motions.germs import Germ, germs_of
-from symscrew.mobility.motions.screw_classes import ScrewClass
 from symscrew.mobility.motions.seen_poses import Closures, Seen, in_doubles, seen_at
+from symscrew.mobility.screw_classes import ScrewClass
 from symscrew.mobility.screw_systems import null_space
 
 Array = np.ndarray[Any, Any]
@@ -151,7 +151,7 @@ def _almost(found: Seen, roughly: Seen, network: Network) -> str:
     """What holds to seven digits and not exactly, in words; empty where nothing does."""
     texts = []
     if roughly.name != found.name:
-        texts.append(f"{roughly.system.type}, {roughly.system}")
+        texts.append(f"{roughly.system.motion_type}, {roughly.system}")
     if resting := sorted(roughly.resting(network) - found.resting(network)):
         texts.append(f"{', '.join(resting)} at rest")
     return "; ".join(texts)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -30,11 +31,11 @@ def _line(row: BranchRow, table: BranchTable, network: Network) -> str:
         return f"dimension {row.dimension} ({table.judgement}); shaky all along, so that its tangents are not known"
     changing = "" if row.constant else f" {'here' if row.here else 'nearby'}, not constant"
     parts = [f"dimension {row.dimension} ({table.judgement})"]
-    parts.append(f"{table.body} {row.platform.type}, {row.platform}{changing}")
+    parts.append(f"{table.body} {row.platform.motion_type}, {row.platform}{changing}")
     if row.almost:
         parts.append(f"as typed; to seven digits {row.almost}")
     if row.axes:
-        parts.append(f"about or along {_named(row.axes)}")
+        parts.append(f"can move {named_axes(row.axes)}")
     if row.internal:
         parts.append(f"{row.internal} internal")
     parts.append(f"at rest: {_named(row.idle)}" if row.idle else "all joints move")
@@ -48,6 +49,17 @@ def _line(row: BranchRow, table: BranchTable, network: Network) -> str:
 def _named(names: tuple[str, ...]) -> str:
     more = len(names) - MOST_NAMED
     return ", ".join(names[:MOST_NAMED]) + (f" and {more} more" if more > 0 else "")
+
+
+def named_axes(axes: Sequence[str]) -> str:
+    """Axes as `axis_name` names them, in few words: `about the axes of A, B, along the axis of C`."""
+    shown, joints = axes[:MOST_NAMED], dict[str, list[str]]()
+    for axis in shown:
+        which, _, joint = axis.rpartition(" of ")
+        joints.setdefault(which, []).append(joint)
+    several = ((w.replace("axis", "axes") if len(names) > 1 else w, names) for w, names in joints.items())
+    more = f" and {len(axes) - MOST_NAMED} more" if len(axes) > MOST_NAMED else ""
+    return ", ".join(f"{which} of {', '.join(names)}" for which, names in several) + more
 
 
 def freedom_names(network: Network) -> list[str]:
@@ -82,6 +94,7 @@ def branch_values(table: BranchTable, network: Network) -> dict[str, Any]:
                 "platform": row.platform
                 and {
                     "type": row.platform.type,
+                    "motion_type": row.platform.motion_type,
                     "dof": row.platform.order,
                     "class": row.platform.name,
                     "principal_pitches": list(row.platform.pitches),

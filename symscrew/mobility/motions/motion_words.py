@@ -8,20 +8,12 @@ import numpy as np
 
 from symscrew.description import Mechanism
 from symscrew.mobility.joint_network import Network
-from symscrew.mobility.motions.branch_words import freedom_names
-from symscrew.mobility.motions.singular_poses import MOST_FREEDOMS, SingularPose
+from symscrew.mobility.motions.branch_words import freedom_names, named_axes
+from symscrew.mobility.motions.pose_words import kind_words, pose_lines, value_of
+from symscrew.mobility.motions.singular_poses import SingularPose
 from symscrew.mobility.motions.whole_motion import WholeMotion
 
-MOST_POSES = 12
-"""Singular poses in words; of more, how many there are. All are in the JSON."""
 ALL = 6  # freedoms of a body that moves as it likes: no group worth a word
-UNTRIED = f"its branches were not looked for, there being more than {MOST_FREEDOMS} freedoms"
-KINDS = {
-    "closure": "constraint singularity: the closure loses rank",
-    "drives": "actuation singularity: a freedom is left with all drives locked",
-    "platform": "dead point: the body has fewer freedoms",
-    "coordinate": "end of the coordinate's range",
-}
 
 
 def motion_lines(found: WholeMotion, network: Network, mechanism: Mechanism, body: str) -> list[str]:
@@ -34,63 +26,24 @@ def motion_lines(found: WholeMotion, network: Network, mechanism: Mechanism, bod
         changes = not found.constant and len(found.classes) == 1 and bool(system.pitches)
         pitch = ", principal pitches not constant" if changes else ""
         why = f" of the branch (proved: {found.type_proof})" if found.type_proof else ""
-        lines.append(f"{body} {system.type}, {system if found.constant else system.words}: {kept}{why}{pitch}")
-    lines += [f"{body} {system.type}, {system.words}: elsewhere" for system in found.classes[1:]]
+        lines.append(f"{body} {system.motion_type}, {system if found.constant else system.words}: {kept}{why}{pitch}")
+    lines += [f"{body} {system.motion_type}, {system.words}: elsewhere" for system in found.classes[1:]]
     group = found.group.system if found.group is not None else None
     if group is not None and not found.type_proof and 0 < group.order < ALL:
-        lines.append(f"{body} stays in a group of displacements, {group.type}, {group}, on the whole branch (proved)")
-    for axis, why in found.axes.items():
-        lines.append(f"{body} moves about or along {axis} all along ({f'proved: {why}' if why else 'sampled'})")
+        lines.append(
+            f"{body} stays in a group of displacements on the whole branch (proved): {group.motion_type}, {group}"
+        )
+    for why in dict.fromkeys(found.axes.values()):
+        axes = named_axes([axis for axis, reason in found.axes.items() if reason == why])
+        lines.append(f"{body} can move {axes} all along ({f'proved: {why}' if why else 'sampled'})")
     judged = f"proved: {found.idle_proof}" if found.idle_proof else "sampled"
     lines.append(f"never move: {', '.join(found.idle)} ({judged})" if found.idle else "every joint moves")
     for column, kind in found.lost:
-        lines.append(f"all along the line of {names[column]}: {_kind(kind, body)} (sampled)")
-    for pose in found.singular[:MOST_POSES]:
-        lines.append(_pose(pose, network, mechanism, body))
-    if len(found.singular) > MOST_POSES:
-        lines.append(f"and {len(found.singular) - MOST_POSES} more singular poses")
+        lines.append(f"all along the line of {names[column]}: {kind_words(kind, body)} (sampled)")
+    lines += pose_lines(found, network, mechanism, body)
     if not found.lost and not any(pose.kinds or pose.open for pose in found.singular):
         lines.append("no singular pose was found on these lines")
     return lines
-
-
-def _pose(pose: SingularPose, network: Network, mechanism: Mechanism, body: str) -> str:
-    parts = [_kind(kind, body) for kind in pose.kinds]
-    if "closure" in pose.kinds:
-        crossing = ", ".join(map(str, pose.branches))
-        parts.append(f"{pose.instantaneous} instantaneous freedoms")
-        untold = UNTRIED if pose.untried else "its branches were not told apart"
-        parts.append(f"branches of dimension {crossing} meet" if pose.branches else untold)
-    parts += [f"{_kind(kind, body)}, as far as doubles tell" for kind in pose.open]
-    for kind, left in pose.almost.items():
-        parts.append(f"almost, and not as typed (what it takes stays open by {left:.1e}): {_kind(kind, body)}")
-        if kind == "closure":
-            parts.append("poses beyond may be of another branch")
-    return f"at {_value(pose, network, mechanism)}: {'; '.join(parts)}"
-
-
-def _kind(kind: str, body: str) -> str:
-    if kind == "platform":
-        return KINDS[kind].replace("the body", body)
-    return KINDS.get(kind, f"limb singularity: the screws of {kind} become dependent")
-
-
-def _number(pose: SingularPose, network: Network, mechanism: Mechanism) -> tuple[str, float, bool]:
-    """(name, value as the description counts it [rad, m], whether it is a length)."""
-    for edge in network.edges.values():
-        for index, (motion, start) in enumerate(edge.motions):
-            if start <= pose.column < start + motion.freedom:
-                reference = mechanism.joints[edge.name].reference
-                given = motion.single and index < len(reference)
-                begin = float(mechanism.number(reference[index])) if given else 0.0
-                scale = float(network.length) if motion.prismatic else 1.0
-                return freedom_names(network)[pose.column], begin + scale * float(pose.q[start]), motion.prismatic
-    raise AssertionError("a coordinate is a freedom of a joint")
-
-
-def _value(pose: SingularPose, network: Network, mechanism: Mechanism) -> str:
-    name, value, long = _number(pose, network, mechanism)
-    return f"{name} = {value:.6g} m" if long else f"{name} = {value:.6g} rad ({np.degrees(value):.4g} deg)"
 
 
 def motion_values(found: WholeMotion, network: Network, mechanism: Mechanism) -> dict[str, Any]:
@@ -103,7 +56,12 @@ def motion_values(found: WholeMotion, network: Network, mechanism: Mechanism) ->
         "poses_beside": found.beside,
         "judgement": "sampled",
         "classes": [
-            {"type": c.type, "class": c.name, "principal_pitches": list(c.pitches) if found.constant else None}
+            {
+                "type": c.type,
+                "motion_type": c.motion_type,
+                "class": c.name,
+                "principal_pitches": list(c.pitches) if found.constant else None,
+            }
             for c in found.classes
         ],
         "constant": found.constant,
@@ -121,15 +79,17 @@ def motion_values(found: WholeMotion, network: Network, mechanism: Mechanism) ->
 
 
 def _singular(pose: SingularPose, network: Network, mechanism: Mechanism) -> dict[str, Any]:
-    name, value, long = _number(pose, network, mechanism)
+    name, value, long = value_of(pose, network, mechanism)
     return {
         "coordinate": name,
         "value": value,
         "unit": "m" if long else "rad",
+        "ends_passed": pose.ends_passed,
         "kinds": list(pose.kinds),
         "almost": dict(pose.almost),
         "open": list(pose.open),
         "instantaneous": pose.instantaneous,
+        "with_drives_locked": pose.locked,
         "branches": list(pose.branches),
         "displacements": _rounded(pose.q),
     }

@@ -9,6 +9,7 @@ the equations stay open there is no loss as typed.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -82,10 +83,12 @@ def at_pose(setting: Setting, line: Track, loss: Loss, known: Loss) -> Loss:
     return replace(loss, real=True, q=known.q) if lost else loss
 
 
-def freedoms_at(setting: Setting, q: Array) -> int:
-    """Instantaneous freedoms at a pose of 60 digits."""
+def freedoms_at(setting: Setting, q: Array, locked: Sequence[int] = ()) -> int:
+    """Instantaneous freedoms at a pose of 60 digits, with the joint freedoms of some columns locked."""
     fine = setting.fine_with_spins
-    return fine.columns - eliminate(fine.slopes(q[None])[0].tolist(), fine.columns).rank
+    slopes = np.delete(fine.slopes(q[None])[0], list(locked), axis=1)
+    columns = int(slopes.shape[1])
+    return columns - eliminate(slopes.tolist(), columns).rank
 
 
 class _Equations:

@@ -16,10 +16,10 @@ from typing import Any
 import numpy as np
 
 from symscrew.algebra import CONTEXT
+from symscrew.mobility.decompositions import none, norms, row_space
 from symscrew.mobility.finite import CLOSED, DIGITS_60, ClosureVariety, refine
 from symscrew.mobility.joint_network import Edge, Network
-from symscrew.mobility.motions.decompositions import none, norms, row_space
-from symscrew.mobility.motions.screw_classes import ScrewClass, class_of_motions
+from symscrew.mobility.screw_classes import ScrewClass, class_of_motions
 from symscrew.mobility.screw_systems import null_space, unit_rows
 
 Array = np.ndarray[Any, Any]
@@ -65,7 +65,7 @@ class Seen:
     @property
     def name(self) -> tuple[str, str]:
         """Type and class."""
-        return self.system.type, self.system.name
+        return self.system.motion_type, self.system.name
 
     def resting(self, network: Network) -> frozenset[str]:
         """Joints that do not move."""
@@ -156,8 +156,9 @@ def joint_axes(network: Network, variety: ClosureVariety, screws: Array, twists:
 
 
 def axis_name(edge: Edge, column: int) -> str:
-    """`the axis of A`, `the second axis of limb1_U`."""
-    singles = [start for motion, start in edge.motions if motion.single]
-    if len(singles) == 1:
-        return f"the axis of {edge.name}"
-    return f"the {('first', 'second', 'third')[singles.index(column)]} axis of {edge.name}"
+    """`about the axis of A`, `along the axis of limb1_P`, `about the second axis of limb1_U`."""
+    singles = {start: motion for motion, start in edge.motions if motion.single}
+    how = "along" if singles[column].prismatic else "about"
+    if len(singles) == 1 or edge.type == "C":  # a cylindrical joint turns about and slides along one axis
+        return f"{how} the axis of {edge.name}"
+    return f"{how} the {('first', 'second', 'third')[list(singles).index(column)]} axis of {edge.name}"

@@ -70,6 +70,8 @@ class SingularPose:
         almost: kinds that are almost lost, and are not as typed -> by how much the equations of the loss stay open.
         open: kinds that are lost as far as doubles tell, no more.
         untried: there are more than `MOST_FREEDOMS`, so that branches were not looked for.
+        locked: instantaneous freedoms there with all drives locked, without passive spins; None where not asked.
+        ends_passed: how often the coordinate has turned back on the way from the reference.
     """
 
     column: int
@@ -80,21 +82,23 @@ class SingularPose:
     almost: Mapping[str, float] = field(default_factory=dict)
     open: tuple[str, ...] = ()
     untried: bool = False
+    locked: int | None = None
+    ends_passed: int = 0
 
 
 def singular_poses(setting: Setting, tracks: Sequence[Track]) -> tuple[SingularPose, ...]:
     """Those on all lines, each once."""
-    found: list[tuple[Track, list[Loss], Array]] = []
+    found: list[tuple[Track, list[Loss], Array, int]] = []
     for line in tracks:
-        for loss in _on(setting, line):
+        for loss, passed in _on(setting, line):
             joints = setting.variety.places(loss.place)
-            same = [group for of, group, there in found
-                    if of.column == line.column and _same((group[0], there), (loss, joints))]  # fmt: skip
+            same = [group for of, group, there, _ in found if of.column == line.column
+                    and (_same((group[0], there), (loss, joints)) or _also(setting, of, loss, group))]  # fmt: skip
             if not same:
-                found.append((line, [loss], joints))
+                found.append((line, [loss], joints, passed))
             elif all(loss.kind != other.kind for other in same[0]):
                 same[0].append(loss)
-    return tuple(_judged(setting, line, group) for line, group, _ in found)
+    return tuple(replace(_judged(setting, line, group), ends_passed=passed) for line, group, _, passed in found)
 
 
 def _same(a: tuple[Loss, Array], b: tuple[Loss, Array]) -> bool:
@@ -103,18 +107,30 @@ def _same(a: tuple[Loss, Array], b: tuple[Loss, Array]) -> bool:
     return bool(np.linalg.norm(a[1] - b[1]) < (SAME_OF_60 if exact else SAME))
 
 
-def _on(setting: Setting, line: Track) -> Iterator[Loss]:
-    """What is lost, or almost, along one line."""
+def _also(setting: Setting, line: Track, loss: Loss, group: Sequence[Loss]) -> bool:
+    """Whether a loss next to others is at their pose: of several at once each is found apart, to half the digits."""
+    first = group[0]
+    if not loss.real or not first.real or any(loss.kind == other.kind for other in group):
+        return False
+    near = np.linalg.norm(loss.place - first.place) < SAME
+    return bool(near) and bool(at_pose(setting, line, replace(loss, real=None), first).real)
+
+
+def _on(setting: Setting, line: Track) -> Iterator[tuple[Loss, int]]:
+    """What is lost, or almost, along one line, with how often the coordinate has turned back before."""
     poses, turns = line.poses, list[Loss]()
-    for before, after in pairwise(poses):
+    back = dict[int, Array]()  # after which pose the coordinate turns back -> where
+    for k, (before, after) in enumerate(pairwise(poses)):
         if before.direction[line.column] * after.direction[line.column] < 0:
+            back[k] = before.q
             loss = _at_once(setting, line, before, "coordinate")
             q = None if loss is not None else _lowest(setting, line, before, None)
             if q is not None:
                 loss = decided(setting, line, q[0], "coordinate")
             if loss is not None:
                 turns.append(loss)
-                yield loss
+                back[k] = loss.place
+                yield loss, len(back) - 1
     for kind in poses[0].margins:
         values = np.array([pose.margins[kind] for pose in poses])
         typical = float(np.median(values))
@@ -133,7 +149,12 @@ def _on(setting: Setting, line: Track) -> Iterator[Loss]:
                     if loss.real is None and found[1] >= ZERO * size:
                         continue
                 if loss is not None and (k or np.linalg.norm(loss.place) > SAME):  # the report judges the reference
-                    yield loss
+                    yield loss, sum(_passed(poses[t], where, loss, k - t) for t, where in back.items())
+
+
+def _passed(before: Pose, turn: Array, loss: Loss, poses: int) -> bool:
+    """Whether a loss is behind where the coordinate turns back, found so many poses after the one before that."""
+    return poses > 0 if abs(poses - 0.5) > 1 else float((loss.place - turn) @ before.direction) > 0
 
 
 def _known(setting: Setting, line: Track, pose: Pose, turns: Sequence[Loss]) -> Loss | None:
@@ -219,7 +240,11 @@ def _judged(setting: Setting, line: Track, losses: Sequence[Loss]) -> SingularPo
     q = (known or losses[0]).place
     closure = known is not None and "closure" in kinds
     instantaneous, branches = _crossing(setting, known.q) if closure and known is not None else (setting.whole, ())
-    return SingularPose(line.column, q, kinds, instantaneous, branches or (), almost, undecided, branches is None)
+    locked = None
+    if closure and known is not None and setting.drives:
+        locked = freedoms_at(setting, known.q, setting.drives) - (setting.whole - setting.dimension)
+    untried = branches is None
+    return SingularPose(line.column, q, kinds, instantaneous, branches or (), almost, undecided, untried, locked)
 
 
 def _crossing(setting: Setting, q: Array) -> tuple[int, tuple[int, ...] | None]:

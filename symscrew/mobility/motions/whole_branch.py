@@ -21,7 +21,7 @@ import numpy as np
 
 from symscrew.description import Mechanism
 from symscrew.mobility.joint_network import Network
-from symscrew.mobility.motions.screw_classes import ScrewClass, screw_class
+from symscrew.mobility.screw_classes import ScrewClass, screw_class
 from symscrew.mobility.symbols import (
     ExactSystem,
     NotDecidableError,

@@ -28,10 +28,10 @@ from symscrew.mobility.motions.coordinate_lines import (
     tracks,
 )
 from symscrew.mobility.motions.held_spins import HeldSpins
-from symscrew.mobility.motions.screw_classes import ScrewClass
 from symscrew.mobility.motions.seen_poses import Closures, Seen, body_twists, in_doubles, seen_at
 from symscrew.mobility.motions.singular_poses import SingularPose, lost_lines, singular_poses
 from symscrew.mobility.motions.whole_branch import CommonGroup, common_group
+from symscrew.mobility.screw_classes import ScrewClass
 
 Array = np.ndarray[Any, Any]
 
@@ -203,7 +203,7 @@ def _type_proof(group: CommonGroup | None, classes: tuple[ScrewClass, ...], free
     chains = f"the groups of {group.chains} chains" if group.chains > 1 else "the group of its chain"
     if not group.system.order:
         return f"no displacement is in {chains} to the body"
-    return f"what is in {chains} to the body is a {group.system.type} group, and it moves so"
+    return f"what is in {chains} to the body is a {group.system.motion_type} group, and it moves so"
 
 
 def _limbs(network: Network, limbs: Mapping[str, tuple[str, ...]]) -> dict[str, tuple[tuple[int, ...], int]]:
@@ -273,5 +273,5 @@ def _held(network: Network, axis: str, group: CommonGroup) -> str:
     """Why a body that has all freedoms of a group moves about an axis all along; empty where that was only seen."""
     for name in group.fixed:
         if axis.endswith(f" of {name}"):
-            return f"{name} is at rest on {network.ground}, and its screw is in the {group.system.type} group"
+            return f"of a joint at rest on {network.ground}, with its screw in the {group.system.motion_type} group"
     return ""

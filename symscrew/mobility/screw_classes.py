@@ -2,6 +2,10 @@
 
     twists --translations among them, the rest--> type (I pitches differ, II all equal), letter, principal pitches
 
+In words a freedom is R, a rotation, where rotations (screws of pitch zero) of the system have its angular velocity
+among theirs, H, a screw motion, where none have, and T, a translation: the coupler of a Bennett linkage has 1H. Two
+screws whose pitches have opposite signs span two rotations, as those of a cylindroid, two of one sign span none.
+
 The letter counts the independent translations (screws of infinite pitch): A none, B one, C two, D three. A system of
 more than three screws has the class of its reciprocal system. (C. G. Gibson and K. H. Hunt, Geometry of screw systems 1
 and 2, Mech. Mach. Theory 25, 1990, 1-27; K. H. Hunt, Kinematic Geometry of Mechanisms, 1978, chapter 12.)
@@ -15,7 +19,8 @@ from typing import Any
 
 import numpy as np
 
-from symscrew.mobility.motions.decompositions import eigenvalues, none, norms, row_space, svd
+from symscrew.mobility.decompositions import eigenvalues, none, norms, row_space, svd
+from symscrew.mobility.screw_text import describe_type
 
 Array = np.ndarray[Any, Any]
 
@@ -33,6 +38,7 @@ class ScrewClass:
             perpendicular to the translations in it (their pitch is not at our disposal), ascending.
         translations: independent translations in the system itself.
         rotations: dimension of the angular-velocity projection of the system itself.
+        helical: how many of these directions are not spanned by those of its rotations (screws of pitch zero).
     """
 
     order: int
@@ -40,12 +46,17 @@ class ScrewClass:
     pitches: tuple[float, ...]
     translations: int
     rotations: int
+    helical: int = 0
 
     @property
     def type(self) -> str:
-        """`2R`, `1R2T` ...: the dimension of the angular-velocity projection first."""
-        parts = (f"{self.rotations}R" if self.rotations else "", f"{self.translations}T" if self.translations else "")
-        return "".join(parts) or "0"
+        """`2R`, `1R2T` ...: the dimension of the angular-velocity projection first, whatever the pitches."""
+        return describe_type(self.order, self.rotations)
+
+    @property
+    def motion_type(self) -> str:
+        """`2R`, `1R2T`, `1H` ...: rotations, screw motions of a pitch other than zero, translations."""
+        return describe_type(self.order, self.rotations, self.helical)
 
     @property
     def words(self) -> str:
@@ -82,8 +93,9 @@ def screw_class(twists: Array, length: float) -> ScrewClass:
     if order in (0, 6):
         return ScrewClass(order, "", (), order - rotations, rotations)
     own = basis if order <= 3 else _reciprocal(basis)
-    name, pitches = _named(own)
-    return ScrewClass(order, name, tuple(float(p * length) for p in pitches), order - rotations, rotations)
+    name, pitches, helical = _named(own)
+    helical = helical if order <= 3 else 0  # of four screws and more some translate along any axis: each has any pitch
+    return ScrewClass(order, name, tuple(float(p * length) for p in pitches), order - rotations, rotations, helical)
 
 
 def class_of_motions(twists: Array, length: float) -> ScrewClass:
@@ -102,22 +114,29 @@ def _reciprocal(basis: Array) -> Array:
     return np.asarray(svd(swapped)[2][len(basis) :])
 
 
-def _named(basis: Array) -> tuple[str, Array]:
-    """(class, principal pitches, in units of length) of a system of up to three screws, with orthonormal rows."""
+def _named(basis: Array) -> tuple[str, Array, int]:
+    """(class, principal pitches, in units of length, how many directions no rotation has) of up to three screws.
+
+    The rows are orthonormal. The pitches are the coefficients of a sum of squares of angular velocities, whose zeros
+    are rotations: with both signs these span all directions, with one only those whose coefficient is zero. Where a
+    translation is not perpendicular to all axes it gives most of them any pitch, zero as well.
+    """
     u, s, _ = svd(basis[:, :3])
     turning = int((s > none(basis)).sum())
     translations = u.T[turning:] @ basis
     letter = LETTERS[len(translations)]
     if not turning:
-        return f"II{letter}", np.zeros(0)
+        return f"II{letter}", np.zeros(0), 0
     finite = u.T[:turning] @ basis
     # of the angular velocities, those perpendicular to all translations: the others have a pitch of any size
     free = _kernel(translations[:, 3:] @ finite[:, :3].T, turning)
     pitches = _pitches(free @ finite)
+    one_sign = len(pitches) == turning and not pitches[0] < 0 < pitches[-1]
+    helical = sum(p != 0 for p in pitches) if one_sign else 0
     equal = len(pitches) == turning and bool(pitches[-1] - pitches[0] < none(basis) * max(1.0, *abs(pitches)))
     if equal:
         pitches = pitches[:1]
-    return f"{'II' if equal else 'I'}{letter}", pitches
+    return f"{'II' if equal else 'I'}{letter}", pitches, helical
 
 
 def _pitches(screws: Array) -> Array:
