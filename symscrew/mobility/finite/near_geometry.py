@@ -19,6 +19,7 @@ from functools import partial
 
 import numpy as np
 
+from symscrew.mobility.finite.alike_links import Alike, alike
 from symscrew.mobility.finite.aligned_axes import aligned, turned_together
 from symscrew.mobility.finite.almost_ranks import NEAR, LowRank, RankClaim, low_ranks, nearer
 from symscrew.mobility.finite.branches import zeros_nearby
@@ -203,7 +204,12 @@ def _nearest(network: Network, claims: Sequence[RankClaim], near: float, *, move
             tries = [approach]
             if kept.shape[1] < len(approach.search.z):
                 tries.insert(0, _Approach(network, points, ranks, noise=noise, ways=kept))
-            found = _first(tries) or _by_alignment(network, low, noise) or _first(tries, twice=True)
+            found = (
+                _first(tries)
+                or _by_alignment(network, low, noise)
+                or _by_likeness(network, low, noise)
+                or _first(tries, twice=True)
+            )
             if found is not None or not almost:  # else ranks alone are those of what was typed
                 return () if found is None else (found,)
             astray = approach.astray  # then these motions are none that were meant
@@ -243,6 +249,26 @@ def _by_alignment(network: Network, low: Sequence[LowRank], noise: float) -> Nea
         if found is not None:
             return _between(network, found.network, moves=True)
     return None
+
+
+def _by_likeness(network: Network, low: Sequence[LowRank], noise: float) -> NearGeometry | None:
+    """Lengths, angles and offsets of links made equal that nearly are, where loops then close along all motions."""
+    closure = next(one for one in low if one.claim.name == "closure")
+    ranks = [(one.claim, one.rank) for one in low]
+    meant = alike(network, min(NEAR, ROUGH * noise))
+    if meant is None:
+        return None
+    ways = turned_together(network)
+    first = _Approach(network, [], ranks, noise=noise, ways=ways, alike=meant).found()
+    if first is None:
+        return None
+    coarse = ClosureVariety(first.network)
+    points = _motions(coarse, local_at(coarse, np.zeros(coarse.columns), rank=closure.rank), CLOSES * noise)
+    if not points:
+        return None
+    ways = turned_together(first.network)
+    found = _Approach(first.network, points, ranks, noise=LEAST_NOISE, ways=ways, alike=meant).found()
+    return None if found is None else _between(network, found.network, moves=True)
 
 
 def _astray_at_once(
@@ -334,8 +360,9 @@ class _Approach:
         *,
         noise: float,
         ways: Array | None = None,
+        alike: Alike | None = None,
     ) -> None:
-        self.search = Search(network, points, ranks)
+        self.search = Search(network, points, ranks, alike)
         self.search.ways = ways
         self.moves, self.noise, self.astray = bool(points), noise, False
         self._attempt, self._best, self._rough, self._fresh = 0, float("inf"), noise, True
