@@ -57,6 +57,7 @@ MEASURES: dict[str, Callable[..., Array]] = {
     "offset": lambda p, a, q, b, r, c: _foot(p, a, q, b) - _foot(p, a, r, c),
     "along": lambda p, q, a: _dot(p - q, a),
     "in one plane": lambda p, q, r, a: _dot(_cross(q - p, r - p), a),
+    "along one plane": lambda a, b, c: _dot(_cross(a, b), c),
     "coplanar": lambda p, q, r, s: _dot(_cross(q - p, r - p), s - p),
 }
 """Measures of a link, one number each, of its points p, q, r, s and axes a, b, c: the cosine of an angle, distance times
@@ -246,9 +247,19 @@ def _measures(network: Network) -> Iterator[tuple[str, tuple[Place, ...]]]:
     for a, b in combinations(every, 2):
         if not slanted(a, b):
             yield "parallel", (a, b)
+    yield from (("along one plane", three) for three in combinations(_different(every, slanted), 3))
     bars = [link.points for link in links.values() if len(link.points) == 2]
     for first, second in combinations(bars, 2):
         yield "parallel bars", (*first, *second)
+
+
+def _different(axes: Sequence[Place], slanted: Callable[[Place, Place], bool]) -> list[Place]:
+    """One axis of each direction; none where there are more than `MOST_POINTS`."""
+    result: list[Place] = []
+    for axis in axes:
+        if all(slanted(axis, other) for other in result):
+            result.append(axis)
+    return result if len(result) <= MOST_POINTS else []
 
 
 def _between_axes(link: _Link, slanted: Callable[[Place, Place], bool]) -> Iterator[tuple[str, tuple[Place, ...]]]:
