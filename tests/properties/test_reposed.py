@@ -19,7 +19,7 @@ from symscrew.description.mechanism import Mechanism
 from symscrew.errors import DescriptionError
 from symscrew.mobility import Mobility, analyse_mobility, sections, verify
 from symscrew.mobility.analysis import as_meant
-from symscrew.mobility.finite import near_geometry
+from symscrew.mobility.finite import approach
 
 pytestmark = pytest.mark.slow
 
@@ -123,7 +123,7 @@ def test_of_a_cusp_in_six_digits_no_geometry_that_rests_is_named(monkeypatch: py
     name = "double_watt_cusp"
     typed = reference(name, seed=list(ENTRIES).index(name), digits="6", unit="mm")
     assert typed.verdict == "warned" and typed.found is not None and typed.found.near is None
-    monkeypatch.setattr(near_geometry, "FEW_DIGITS", 1e-5)
+    monkeypatch.setattr(approach, "FEW_DIGITS", 1e-5)
     again = replace(typed.found)
     assert again.near is not None and again.near.meant.finite.dof == 0
 
@@ -217,7 +217,7 @@ def test_parallel_cranks_with_pins_in_line_or_not_are_found_as_meant(pins: list[
 
 @pytest.mark.slow
 def test_a_search_that_is_given_up_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(near_geometry, "MOST_LINEARISED", 3)
+    monkeypatch.setattr(approach, "MOST_LINEARISED", 3)
     change = lambda joints: posed(joints, seed=1, digits="12", unit="m")  # noqa: E731
     found = analyse_mobility(rebuilt(cranks((0, 0), (2, 0), (5, 0)), change))
     assert found.near is None and any("double zero of its conditions was ended" in text for text in found.not_tried)

@@ -21,10 +21,15 @@ from symscrew.mobility.finite.variety import Array
 from symscrew.mobility.joint_network import Edge, Network
 
 SLANTED = 1e-2
-"""Sine of the angle between two axes from which on they have feet of a common normal, as for `aligned_axes.CROSSING`."""
+"""Sine of the angle from which on two axes have feet of a common normal, as for `aligned_axes.CROSSING`."""
 NO_SLOPE = 1e-9
 """A measure that hardly changes with any number is the same for all of them, such as the distance of axes that meet by
 construction; those that do change have slopes of the order of lengths of the mechanism, which is 1."""
+USUAL = 10.0
+"""Of numbers rounded alike none is off by more than this times the median: what is agrees by chance. Of numbers drawn
+evenly from a range one in twenty is below a tenth of the median, and none above twice it."""
+LEAST_OFF = 1e-15
+"""What is off by less is so by rounding of the doubles in which measures are compared."""
 STEP = 1e-30
 """Imaginary step of derivatives: they are exact to rounding, as nothing is subtracted."""
 MOST_POINTS = 8
@@ -32,6 +37,8 @@ MOST_POINTS = 8
 
 Place = tuple[str, int]
 """(joint, slot): its point [`PLACE`] or one of its axes."""
+_Pair = tuple[int, int | None, int]
+"""(measure, another or None for zero, sign): they are meant to be equal."""
 
 
 def _dot(a: Array, b: Array) -> Array:
@@ -60,9 +67,9 @@ MEASURES: dict[str, Callable[..., Array]] = {
     "along one plane": lambda a, b, c: _dot(_cross(a, b), c),
     "coplanar": lambda p, q, r, s: _dot(_cross(q - p, r - p), s - p),
 }
-"""Measures of a link, one number each, of its points p, q, r, s and axes a, b, c: the cosine of an angle, distance times
-sine, a squared distance of points, that of a point from an axis, the offset on a through p from the foot of the normal
-to b to that to c, a distance along an axis, volumes."""
+"""Measures of a link, one number each, of its points p, q, r, s and axes a, b, c: the cosine of an angle, a distance
+times its sine, a squared distance of points, that of a point from an axis, the offset on a through p from the foot of
+the normal to b to that to c, a distance along an axis, volumes."""
 VANISHING: dict[str, Callable[..., Array]] = {
     "parallel": _cross,
     "on the axis": lambda p, q, a: _cross(p - q, a),
@@ -107,10 +114,14 @@ def _vector(network: Network, place: Place) -> tuple[object, ...]:
 
 @dataclass(frozen=True)
 class Alike:
-    """Relations that are meant: differences (measure, other measure or None, sign) of kinds that are to vanish."""
+    """Relations that are meant: differences of measures, of every kind, that are to vanish.
+
+    `off`: how far points [1] and axes [rad] as typed are off the relation that they satisfy worst.
+    """
 
     kinds: Sequence[_Kind]
-    differences: Sequence[Sequence[tuple[int, int | None, int]]]
+    differences: Sequence[Sequence[_Pair]]
+    off: float
 
     def residual(self, network: Network) -> Array:
         """What is left of all relations."""
@@ -157,41 +168,56 @@ def alike(network: Network, tolerance: float) -> Alike | None:
     measures: dict[str, list[tuple[Place, ...]]] = {}
     for name, places in _measures(network):
         measures.setdefault(name, []).append(places)
-    kinds, differences = [], []
-    for name, found in measures.items():
-        kind = _Kind({**MEASURES, **VANISHING}[name], list(dict.fromkeys(found)))
-        values = kind.values(network).astype(float).reshape(len(kind.places), -1)
+    every = [_Measured.of(name, list(dict.fromkeys(found)), network) for name, found in measures.items()]
+    off = [size for one in every for _, size in one.pairs(tolerance) if size > LEAST_OFF]
+    if off:
+        tolerance = min(tolerance, USUAL * float(np.median(off)))
+    found = [(one.kind, list(one.pairs(tolerance))) for one in every]
+    meant = [(kind, pairs) for kind, pairs in found if pairs]
+    if not meant:
+        return None
+    worst = max(size for _, pairs in meant for _, size in pairs)
+    return Alike([kind for kind, _ in meant], [[pair for pair, _ in pairs] for _, pairs in meant], worst)
+
+
+@dataclass(frozen=True)
+class _Measured:
+    """Measures of one kind of what was typed. `sizes`: how much each changes with points and axes."""
+
+    kind: _Kind
+    vanishing: bool
+    values: Array
+    sizes: Array
+
+    @classmethod
+    def of(cls, name: str, places: Sequence[tuple[Place, ...]], network: Network) -> _Measured:
+        kind = _Kind({**MEASURES, **VANISHING}[name], places)
         slopes = kind.slopes(network)
+        values = np.abs(kind.values(network).astype(float)) if name in VANISHING else kind.values(network).astype(float)
         sizes = np.linalg.norm(slopes.reshape(len(slopes), -1), axis=1)
-        pairs = list(_vanishing(values, sizes, tolerance) if name in VANISHING else _equal(values[:, 0], sizes, tolerance))
-        if pairs:
-            kinds.append(kind)
-            differences.append(pairs)
-    return Alike(kinds, differences) if kinds else None
+        if name in VANISHING:
+            values = np.linalg.norm(values, axis=1)
+        return cls(kind, name in VANISHING, values, sizes)
 
+    def pairs(self, tolerance: float) -> Iterator[tuple[_Pair, float]]:
+        """What is meant to be equal within the tolerance, and how far points and axes are off it.
 
-def _vanishing(values: Array, sizes: Array, tolerance: float) -> Iterator[tuple[int, int | None, int]]:
-    for k, (value, size) in enumerate(zip(np.linalg.norm(values, axis=1), sizes, strict=True)):
-        if value <= tolerance * size and size > NO_SLOPE:
-            yield k, None, 1
-
-
-def _equal(values: Array, sizes: Array, tolerance: float) -> Iterator[tuple[int, int | None, int]]:
-    """Those near zero, and those near another one but for the sign, which follows the direction of axes."""
-    first: int | None = None
-    last = 0.0
-    for k in np.argsort(np.abs(values)):
-        if sizes[k] <= NO_SLOPE:
-            continue
-        value = abs(values[k])
-        if value <= tolerance * sizes[k]:
-            yield int(k), None, 1
-            continue
-        if first is not None and value - last <= tolerance * sizes[k]:
-            yield int(k), first, 1 if values[k] * values[first] > 0 else -1
-        else:
-            first = int(k)
-        last = value
+        Signs are left open, which follow the directions of axes.
+        """
+        first: int | None = None
+        last = 0.0
+        for k in map(int, np.argsort(np.abs(self.values))):
+            value, size = abs(self.values[k]), self.sizes[k]
+            if size <= NO_SLOPE:
+                continue
+            if value <= tolerance * size:
+                yield (k, None, 1), value / size
+            elif first is not None and value - last <= tolerance * size:
+                sign = 1 if self.values[k] * self.values[first] > 0 else -1
+                yield (k, first, sign), (value - last) / size
+                last = value
+            elif not self.vanishing:
+                first, last = k, value
 
 
 @dataclass(frozen=True)
@@ -244,9 +270,7 @@ def _measures(network: Network) -> Iterator[tuple[str, tuple[Place, ...]]]:
         yield from _of_points(link)
     yield from _along_axes(links, network, slanted)
     every = list(axes)
-    for a, b in combinations(every, 2):
-        if not slanted(a, b):
-            yield "parallel", (a, b)
+    yield from (("parallel", pair) for pair in combinations(every, 2) if not slanted(*pair))
     yield from (("along one plane", three) for three in combinations(_different(every, slanted), 3))
     bars = [link.points for link in links.values() if len(link.points) == 2]
     for first, second in combinations(bars, 2):

@@ -165,6 +165,11 @@ class Approach:
 
 
 def between(network: Network, after: Network, *, moves: bool) -> NearGeometry | None:
+    """What was changed from one to the other; None where that is another mechanism.
+
+    Raises:
+        OtherJointsError: a screw has become a hinge, or another screw.
+    """
     changes = sizes(network, after)
     distance = max(size for _, size in changes)
     if loses_a_pitch(network, after):

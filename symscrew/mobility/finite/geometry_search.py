@@ -113,8 +113,8 @@ def _linear(network: Network, slots: Slots, conditions: _Conditions) -> list[_Li
         inverse = vt[:rank].T @ ((u[:, :rank] / s[:rank]).T)
         pulled = claim.pulled(network, rates, vanishing.vector.astype(float))
         result.append(_Linear(u[:, rank:].T, inverse, pulled))
-    for one in meant:
-        by_z = one.alike.rates(network, slots)
+    for relations in meant:
+        by_z = relations.alike.rates(network, slots)
         result.append(_Linear(np.eye(len(by_z)), np.zeros((0, len(by_z))), by_z))
     return result
 

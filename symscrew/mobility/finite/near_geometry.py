@@ -4,7 +4,7 @@
     conditions --Gauss-Newton with the least change, residuals in 60 digits--> special geometry
     conditions at which it stalls --aligned_axes--> axes that nearly are parallel or meet made so, then as before
     conditions at which it still stalls --alike_links--> links that nearly are alike made so, then as before
-    conditions at which it stalls even so --double_zeros--> special geometry where they vanish twice
+    conditions at which it stalls without such --double_zeros--> special geometry where they vanish twice
 
 The unknowns are the places and axes of all joints. The conditions are ranks that are lower in the reference
 configuration (with their null vectors as further unknowns) and the closure of all loops in configurations along the
@@ -14,14 +14,14 @@ left to the ordinary analysis.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import cached_property, partial
 
 import numpy as np
 
-from symscrew.mobility.finite.alike_links import Alike, alike
 from symscrew.mobility.finite.aligned_axes import aligned, turned_together
+from symscrew.mobility.finite.alike_links import Alike, alike
 from symscrew.mobility.finite.almost_ranks import NEAR, LowRank, RankClaim, low_ranks, nearer
 from symscrew.mobility.finite.approach import Approach, GivenUpError, NearGeometry, OtherJointsError, between
 from symscrew.mobility.finite.branches import zeros_nearby
@@ -64,9 +64,13 @@ LEAST_NOISE = 1e-15
 ROUGH = 30.0
 """Angles and distances below so many times the small singular value are rounding; where that aligns nothing that moves,
 those below `NEAR`."""
+AMPLIFIED = 10.0
+"""Links made alike are farther than they were off by one or two, for rings of twelve bars by four; two relations that
+agree by chance and contradict the others were met after fifty."""
 FIRST = 8
 """Configurations of each kind that are tried where twice as many are too many: conditions of which some hardly change
 with the geometry. With these alone a branch of dimension two has been missed."""
+
 
 def search_special(network: Network, claims: Sequence[RankClaim], *, moves: bool) -> tuple[NearGeometry, ...] | str:
     """`nearest_special`, or why it was given up, in words."""
@@ -120,8 +124,8 @@ def _nearest(network: Network, claims: Sequence[RankClaim], near: float, *, move
             tries = [approach]
             if kept.shape[1] < len(approach.search.z):
                 tries.insert(0, Approach(network, points, ranks, noise=noise, ways=kept))
-            found = _first(tries) or _by_alignment(network, low, noise) or like.closing(closure.rank)
-            found = found or like.unless_given_up(partial(_first, tries, twice=True))
+            found = _first(tries[:1]) or _by_alignment(network, low, noise) or like.closing(closure.rank)
+            found = found or _first(tries[1:]) or _twice(tries, like)
             if found is not None or not almost:  # else ranks alone are those of what was typed
                 return () if found is None else (found,)
             astray = approach.astray  # then these motions are none that were meant
@@ -131,8 +135,8 @@ def _nearest(network: Network, claims: Sequence[RankClaim], near: float, *, move
         close = min(off, max(ALMOST_ZERO * noise, ROUNDED_ZERO))
         kinds = zeros_nearby(coarse, here, quadratic_forms(coarse, here), off=close, kind=partial(_rank, coarse, near))
         points = _open(network, coarse, [(zero, rank) for rank, zeros in kinds.items() for zero in zeros])
-    moving = like.unless_given_up(partial(_through, network, points, ranks, noise))
     alone = like.ranks_alone() if almost else None
+    moving = _through(network, points, ranks, noise, twice=like.found is None)
     if alone is not None and (points or astray) and moving is None:
         alone = replace(alone, stalled=True)
     return tuple(one for one in (alone, moving) if one is not None)
@@ -154,7 +158,13 @@ class _Likeness:
         if self.relations is None:
             return None
         ways = turned_together(self.network)
-        return Approach(self.network, [], self.ranks, noise=self.noise, ways=ways, alike=self.relations).found()
+        search = Approach(self.network, [], self.ranks, noise=self.noise, ways=ways, alike=self.relations)
+        return self._near(search.found())
+
+    def _near(self, found: NearGeometry | None) -> NearGeometry | None:
+        """What is hardly farther than the relations and ranks are off: else they agree by chance."""
+        off = 0.0 if self.relations is None else max(self.noise, self.relations.off)
+        return found if found is not None and found.distance < AMPLIFIED * off else None
 
     def closing(self, rank: int) -> NearGeometry | None:
         """Where loops close along all motions as well, by hardly more than the relations."""
@@ -166,26 +176,27 @@ class _Likeness:
         if not points:
             return None
         closed = Approach(after, points, self.ranks, noise=LEAST_NOISE, ways=ways, alike=self.relations).found()
-        return None if closed is None else between(self.network, closed.network, moves=True)
+        return None if closed is None else self._near(between(self.network, closed.network, moves=True))
 
     def ranks_alone(self) -> NearGeometry | None:
         """With the relations where there are such, else the nearest with the ranks."""
         return self.found or Approach(self.network, [], self.ranks, noise=self.noise).found(twice=True)
-
-    def unless_given_up(self, search: Callable[[], NearGeometry | None]) -> NearGeometry | None:
-        """What a search finds; None where it is given up and there is geometry with the relations to go by."""
-        try:
-            return search()
-        except GivenUpError:
-            if self.found is None:
-                raise
-            return None
 
 
 def _first(tries: Sequence[Approach], *, twice: bool = False) -> NearGeometry | None:
     """The first that is found: with axes that are parallel as typed turned together, as those of a planar linkage are
     meant, then with all alone. The former has no double zeros of hinges that are tilted against each other."""
     return next((found for one in tries if (found := one.found(twice=twice)) is not None), None)
+
+
+def _twice(tries: Sequence[Approach], like: _Likeness) -> NearGeometry | None:
+    """`_first` with double zeros; None where that is given up and there is geometry with links alike to go by."""
+    try:
+        return _first(tries, twice=True)
+    except GivenUpError:
+        if like.found is None:
+            raise
+        return None
 
 
 def _by_alignment(network: Network, low: Sequence[LowRank], noise: float) -> NearGeometry | None:
@@ -267,16 +278,24 @@ def _rank(coarse: ClosureVariety, near: float, q: Array) -> int:
 
 
 def _through(
-    network: Network, points: Sequence[tuple[Array, int]], ranks: Sequence[tuple[RankClaim, int]], noise: float
+    network: Network,
+    points: Sequence[tuple[Array, int]],
+    ranks: Sequence[tuple[RankClaim, int]],
+    noise: float,
+    *,
+    twice: bool,
 ) -> NearGeometry | None:
-    """Geometry with these ranks whose loops close in the configurations: in all, or in the first ones of every kind."""
+    """Geometry with these ranks whose loops close in the configurations: in all, or in the first ones of every kind.
+
+    `twice`: double zeros as well.
+    """
     if not points:
         return None
     kinds = [rank for _, rank in points]
     fewer = [point for k, point in enumerate(points) if kinds[:k].count(point[1]) < FIRST]
     every = Approach(network, points, ranks, noise=noise)
-    found = every.found(twice=len(fewer) == len(points))
+    found = every.found(twice=twice and len(fewer) == len(points))
     if found is None and len(fewer) < len(points):
-        found = Approach(network, fewer, ranks, noise=noise).found(twice=True)
+        found = Approach(network, fewer, ranks, noise=noise).found(twice=twice)
     freedoms = frozenset(network.freedoms - rank for rank in kinds)
     return None if found is None else replace(found, freedoms=freedoms)
