@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from itertools import chain, combinations
+from itertools import chain, combinations, product
 
 import numpy as np
 
@@ -62,6 +62,7 @@ MEASURES: dict[str, Callable[..., Array]] = {
     "apart": lambda p, q: _dot(p - q, p - q),
     "across": lambda p, q, a: _dot(_cross(p - q, a), _cross(p - q, a)),
     "offset": lambda p, a, q, b, r, c: _foot(p, a, q, b) - _foot(p, a, r, c),
+    "step": lambda p, a, q, b, r, s, c: _dot(p - r, a) + _foot(p, a, q, b) - _foot(r, a, s, c),
     "along": lambda p, q, a: _dot(p - q, a),
     "in one plane": lambda p, q, r, a: _dot(_cross(q - p, r - p), a),
     "along one plane": lambda a, b, c: _dot(_cross(a, b), c),
@@ -69,7 +70,7 @@ MEASURES: dict[str, Callable[..., Array]] = {
 }
 """Measures of a link, one number each, of its points p, q, r, s and axes a, b, c: the cosine of an angle, a distance
 times its sine, a squared distance of points, that of a point from an axis, the offset on a through p from the foot of
-the normal to b to that to c, a distance along an axis, volumes."""
+the normal to b to that to c, the same on two parallel axes, a distance along an axis, volumes."""
 VANISHING: dict[str, Callable[..., Array]] = {
     "parallel": _cross,
     "on the axis": lambda p, q, a: _cross(p - q, a),
@@ -300,6 +301,10 @@ def _between_axes(link: _Link, slanted: Callable[[Place, Place], bool]) -> Itera
         for a, b, c in combinations(link.lines, 3):
             if not (slanted(a, b) or slanted(a, c)):
                 yield "in one plane", (_point(a), _point(b), _point(c), a)
+        for a, e in combinations(link.lines, 2):
+            others = [] if slanted(a, e) else [b for b in link.lines if slanted(a, b)]
+            for b, c in product(others, others):
+                yield "step", (_point(a), a, _point(b), b, _point(e), _point(c), c)
 
 
 def _of_points(link: _Link) -> Iterator[tuple[str, tuple[Place, ...]]]:
