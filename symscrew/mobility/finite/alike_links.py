@@ -301,10 +301,6 @@ def _between_axes(link: _Link, slanted: Callable[[Place, Place], bool]) -> Itera
         for a, b, c in combinations(link.lines, 3):
             if not (slanted(a, b) or slanted(a, c)):
                 yield "in one plane", (_point(a), _point(b), _point(c), a)
-        for a, e in combinations(link.lines, 2):
-            others = [] if slanted(a, e) else [b for b in link.lines if slanted(a, b)]
-            for b, c in product(others, others):
-                yield "step", (_point(a), a, _point(b), b, _point(e), _point(c), c)
 
 
 def _of_points(link: _Link) -> Iterator[tuple[str, tuple[Place, ...]]]:
@@ -325,19 +321,24 @@ def _along_axes(
     links: dict[str, _Link], network: Network, slanted: Callable[[Place, Place], bool]
 ) -> Iterator[tuple[str, tuple[Place, ...]]]:
     """Offsets along axes, within a link and from one to the next, which the joint between them keeps."""
+    crossing: dict[Place, tuple[Place, ...]] = {}
     for a in dict.fromkeys(chain.from_iterable(link.lines for link in links.values())):
         edge = network.edges[a[0]]
         own = [links[body] for body in (edge.parent, edge.child) if a in links[body].lines]
         if len(edge.motions) == 1 and edge.motions[0][0].slides:
             own = own[:1]  # a screw's offset changes
         others = dict.fromkeys(b for link in own for b in link.lines if b[0] != a[0] and slanted(a, b))
-        if len(others) <= MOST_POINTS:
-            for b, c in combinations(others, 2):
-                yield "offset", (_point(a), a, _point(b), b, _point(c), c)
+        crossing[a] = tuple(others) if len(others) <= MOST_POINTS else ()
+        for b, c in combinations(crossing[a], 2):
+            yield "offset", (_point(a), a, _point(b), b, _point(c), c)
         points = dict.fromkeys(p for link in own for p in link.points if p[0] != a[0])
         yield from (("along", (p, q, a)) for p, q in combinations(points, 2))
         if _has_centre(edge):
             yield from (("along", (p, _point(a), a)) for p in points)
+    for a, e in chain.from_iterable(combinations(link.lines, 2) for link in links.values()):
+        if not slanted(a, e):
+            for b, c in product(crossing[a], crossing[e]):
+                yield "step", (_point(a), a, _point(b), b, _point(e), _point(c), c)
 
 
 def _point(line: Place) -> Place:

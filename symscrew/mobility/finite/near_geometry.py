@@ -158,12 +158,8 @@ class _Likeness:
         if self.relations is None:
             return None
         ways = turned_together(self.network)
-        for ranks in (self.ranks, []):
-            search = Approach(self.network, [], ranks, noise=self.noise, ways=ways, alike=self.relations)
-            found = self._near(search.found())
-            if found is not None:
-                return found
-        return None
+        search = Approach(self.network, [], self.ranks, noise=self.noise, ways=ways, alike=self.relations)
+        return self._near(search.found())
 
     def _near(self, found: NearGeometry | None) -> NearGeometry | None:
         """What is hardly farther than the relations and ranks are off: else they agree by chance."""
