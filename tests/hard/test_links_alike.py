@@ -15,8 +15,9 @@ from symscrew.algebra import CONTEXT
 from symscrew.description.builder import MechanismBuilder
 from symscrew.description.mechanism import Mechanism
 from symscrew.mobility import Mobility, analyse_mobility
-from symscrew.mobility.finite import alike_links
+from symscrew.mobility.finite import CLOSED, DIGITS_60, ClosureVariety, alike_links, local_at, near_geometry, refine
 from symscrew.mobility.finite.joint_changes import changed, count_of, slots_of
+from symscrew.mobility.finite.local_solutions import flatten
 from symscrew.mobility.joint_network import network_of
 
 Z = [0, 0, 1]
@@ -111,3 +112,18 @@ def test_relations_change_as_their_rates_say() -> None:
         z[k] = CONTEXT.mpf(10) ** -12
         after = found.residual(changed(network, slots, z)) * 1e12
         assert after == pytest.approx(rates[:, k], abs=1e-10)
+
+
+def test_zeros_that_close_as_typed_are_no_special_geometry() -> None:
+    """Singular values of a branch are small near the configuration that it leaves: with them all, its loops close."""
+    network = network_of(CASES["kite, collinear"].make())
+    coarse, fine = ClosureVariety(network), ClosureVariety(network, DIGITS_60)
+    here = local_at(coarse, np.zeros(coarse.columns))
+    for direction in flatten(here.dof):
+        q = 5e-5 * here.kernel @ direction
+        for _ in range(20):  # to where loops close in doubles
+            q = q - local_at(coarse, q, rank=here.rank + 1).inverse @ coarse.residual(q)
+        assert refine(coarse, fine, q, here.rank)[1] > CLOSED, "with the rank of where branches meet they do not"
+        assert near_geometry._open(network, coarse, [(q, here.rank)]) == []
+        aside = q + 1e-6 * here.kernel @ np.array([1.0, 0.3])
+        assert near_geometry._open(network, coarse, [(aside, here.rank)]) != []

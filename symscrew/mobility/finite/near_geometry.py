@@ -27,6 +27,7 @@ from symscrew.mobility.finite.approach import Approach, GivenUpError, NearGeomet
 from symscrew.mobility.finite.branches import zeros_nearby
 from symscrew.mobility.finite.local_solutions import (
     CLOSED,
+    DISTINCT,
     Local,
     flatten,
     local_at,
@@ -57,6 +58,9 @@ where the motion exists as meant, of the order of the step squared where it does
 ALMOST_ZERO = 100.0
 """Zeros on a sphere may be off by so many times the small singular value: of six digits `CLOSES` times it is what the
 redundant equations are off by anywhere on the sphere."""
+SAME = 1e-9
+"""Change of coordinates with which a zero is the same one: those of a branch that leaves a singular configuration at
+second order close with a change of 1e-12; of rounded numbers, that which closes them is as large as the zero is far."""
 ROUNDED_ZERO = 1e-11
 """They may be off by this as well: rounding of doubles in zeros that are double ones."""
 LEAST_NOISE = 1e-15
@@ -269,7 +273,18 @@ def _walked(coarse: ClosureVariety, here: Local, motion: Array, off: float) -> A
 def _open(network: Network, coarse: ClosureVariety, points: Sequence[tuple[Array, int]]) -> list[tuple[Array, int]]:
     """Those of the configurations in which the loops do not close as typed, in 60 digits."""
     fine = ClosureVariety(network, DIGITS_60)
-    return [(q, rank) for q, rank in points if refine(coarse, fine, q, rank)[1] > CLOSED]
+    return [(q, rank) for q, rank in points if not _closes(coarse, fine, q, rank)]
+
+
+def _closes(coarse: ClosureVariety, fine: ClosureVariety, q: Array, rank: int) -> bool:
+    """Whether loops close there as typed: with the rank that is meant, or with all that is not rounding."""
+    values = np.linalg.svd(coarse.slopes(q[None])[0], compute_uv=False)
+    every = int((values > DISTINCT * values[0]).sum())
+    if every > rank:
+        point, left = refine(coarse, fine, q, every)
+        if left <= CLOSED and float(abs(point.astype(float) - q).max()) < SAME:
+            return True
+    return refine(coarse, fine, q, rank)[1] <= CLOSED
 
 
 def _rank(coarse: ClosureVariety, near: float, q: Array) -> int:
