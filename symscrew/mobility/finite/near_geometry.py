@@ -134,16 +134,15 @@ def _nearest(network: Network, claims: Sequence[RankClaim], near: float, *, move
                 return () if found is None else (found,)
             astray = approach.astray  # then these motions are none that were meant
             if not astray:
-                alone = like.ranks_alone()
-                return () if alone is None else (replace(alone, stalled=True),)
+                return tuple(replace(one, stalled=True) for one in like.ranks_alone())
         close = min(off, max(ALMOST_ZERO * noise, ROUNDED_ZERO))
         kinds = zeros_nearby(coarse, here, quadratic_forms(coarse, here), off=close, kind=partial(_rank, coarse, near))
         points = _open(network, coarse, [(zero, rank) for rank, zeros in kinds.items() for zero in zeros])
-    alone = like.ranks_alone() if almost else None
+    alone = like.ranks_alone() if almost else ()
     moving = _through(network, points, ranks, noise, twice=like.found is None)
-    if alone is not None and (points or astray) and moving is None:
-        alone = replace(alone, stalled=True)
-    return tuple(one for one in (alone, moving) if one is not None)
+    if moving is None:
+        return tuple(replace(one, stalled=bool(points or astray)) for one in alone)
+    return (*alone, moving)
 
 
 class _Likeness:
@@ -182,9 +181,10 @@ class _Likeness:
         closed = Approach(after, points, self.ranks, noise=LEAST_NOISE, ways=ways, alike=self.relations).found()
         return None if closed is None else self._near(between(self.network, closed.network, moves=True))
 
-    def ranks_alone(self) -> NearGeometry | None:
-        """With the relations where there are such, else the nearest with the ranks."""
-        return self.found or Approach(self.network, [], self.ranks, noise=self.noise).found(twice=True)
+    def ranks_alone(self) -> tuple[NearGeometry, ...]:
+        """The nearest with the ranks, and with the relations too: which moves as meant is left to the analysis."""
+        nearest = Approach(self.network, [], self.ranks, noise=self.noise).found(twice=self.found is None)
+        return tuple(one for one in (nearest, self.found) if one is not None)
 
 
 def _first(tries: Sequence[Approach], *, twice: bool = False) -> NearGeometry | None:
