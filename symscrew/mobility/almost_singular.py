@@ -68,7 +68,9 @@ def left_open(
     """
     if isinstance(searched, str):
         return (searched,)
-    texts = [] if named is not None else [_not_named(one, finite, typed, length) for finite, one in beside]
+    farthest_first = sorted(beside, key=lambda pair: -pair[1].distance) if named is None else []
+    # of several that move alike the nearest is told of
+    texts = list({finite.dof: _not_named(one, finite, typed, length) for finite, one in farthest_first}.values())
     if any(one.stalled for one in searched) and (named is None or (named.dof or 0) <= (typed.dof or 0)):
         texts.append(f"{STALLED}; {NOT_NAMED if named is None else RANKS_ALONE}")
     freedoms = frozenset[int]().union(*(one.freedoms for one in searched))

@@ -19,7 +19,7 @@ from symscrew.description.mechanism import Mechanism
 from symscrew.errors import DescriptionError
 from symscrew.mobility import Mobility, analyse_mobility, sections, verify
 from symscrew.mobility.analysis import as_meant
-from symscrew.mobility.finite import near_geometry
+from symscrew.mobility.finite import approach, near_geometry
 
 pytestmark = pytest.mark.slow
 
@@ -31,8 +31,8 @@ BESIDE = (
     )),
 )  # fmt: skip
 """Of every kind: a type, a drive's hold, a motion, a group of loops, twelve conditions, branches, a rank of limbs."""
-NOT_FOUND = {"6": {"double_watt_cusp", "delta_4s-parallel_forearms"}}
-"""What rounding to six digits hides: singular points of second order, where only the almost lost rank is said."""
+NOT_FOUND = {"6": {"double_watt_cusp"}}
+"""What rounding to six digits hides: a singular point of second order, where only the almost lost rank is said."""
 
 
 @cache
@@ -83,6 +83,13 @@ def as_typed(exact: Mechanism, *, seed: int, digits: str) -> Mobility:
     return analyse_mobility(replace(exact, joints=typed))
 
 
+def distance_in(text: str) -> float:
+    """How far from what was typed special geometry is said to be [m]."""
+    before, behind = text.split(" m from what was typed")[0], "special geometry "
+    assert before.startswith(behind)
+    return float(before.removeprefix(behind))
+
+
 @pytest.mark.parametrize("seed, near", [(133165, True), (42918, False)])
 def test_a_stretched_chain_is_named_although_it_moves_less_than_as_typed(seed: int, near: bool) -> None:
     """Five bars in line rest as meant and move as typed; where the search ended without them, it says so."""
@@ -92,7 +99,7 @@ def test_a_stretched_chain_is_named_although_it_moves_less_than_as_typed(seed: i
         assert found.near is not None and found.near.distance < 1e-15
         assert (found.near.meant.dof, found.near.meant.finite.dof) == (3, 0) and not found.not_tried
     else:
-        assert found.nearly_singular and found.not_tried[0].startswith("special geometry 1.2e-06 m from what was typed")
+        assert found.nearly_singular and distance_in(found.not_tried[0]) < 4e-6
         assert "(J3, J2)" in found.not_tried[0] and "moves less (finite mobility 0)" in found.not_tried[0]
         assert sum("such geometry may be near, and is not named" in text for text in found.not_tried) == 1
 
@@ -108,7 +115,7 @@ def test_what_is_near_and_undecided_is_said_with_its_distance() -> None:
     """Rest at third order is not told from rest at second order that rounding of doubles leaves."""
     found = as_typed(CASES["coupler point"].make(), seed=202065, digits="double")
     (text,) = found.not_tried
-    assert found.near is None and "special geometry 3.6e-17 m from" in text and "is undecided" in text, text
+    assert found.near is None and distance_in(text) < 1e-16 and "is undecided" in text, text
 
 
 def test_motions_that_close_to_squares_of_rounding_are_not_said_to_be_real() -> None:
@@ -123,15 +130,22 @@ def test_of_a_cusp_in_six_digits_no_geometry_that_rests_is_named(monkeypatch: py
     name = "double_watt_cusp"
     typed = reference(name, seed=list(ENTRIES).index(name), digits="6", unit="mm")
     assert typed.verdict == "warned" and typed.found is not None and typed.found.near is None
-    monkeypatch.setattr(near_geometry, "FEW_DIGITS", 1e-5)
+    monkeypatch.setattr(approach, "FEW_DIGITS", 1e-5)
     again = replace(typed.found)
     assert again.near is not None and again.near.meant.finite.dof == 0
 
 
-def test_what_has_the_ranks_alone_and_moves_no_more_than_as_typed_is_not_all_that_may_be_near() -> None:
-    """Six equal legs side by side let a platform go round on a circle; with six digits only their ranks are found."""
+def test_what_has_the_ranks_alone_and_moves_no_more_than_as_typed_is_not_all_that_may_be_near(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Six equal legs side by side let a platform go round on a circle; of six digits that they are equal tells it, and
+    without that only their ranks are found."""
     found = as_typed(legs((*NO_CIRCLE, [2, 1])), seed=1, digits="6")
     assert found.finite.dof == 6 and found.near is not None
+    assert (found.near.meant.dof, found.near.meant.finite.dof) == (9, 8) and found.near.distance < 1e-5
+    monkeypatch.setattr(near_geometry, "alike", lambda network, tolerance: None)
+    found = replace(found)
+    assert found.near is not None
     assert (found.near.meant.dof, found.near.meant.finite.dof) == (9, 6)
     assert sum("one that moves more may be near" in text for text in found.not_tried) == 1
 
@@ -217,7 +231,8 @@ def test_parallel_cranks_with_pins_in_line_or_not_are_found_as_meant(pins: list[
 
 @pytest.mark.slow
 def test_a_search_that_is_given_up_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(near_geometry, "MOST_LINEARISED", 3)
+    monkeypatch.setattr(approach, "MOST_LINEARISED", 3)
+    monkeypatch.setattr(near_geometry, "alike", lambda network, tolerance: None)
     change = lambda joints: posed(joints, seed=1, digits="12", unit="m")  # noqa: E731
     found = analyse_mobility(rebuilt(cranks((0, 0), (2, 0), (5, 0)), change))
     assert found.near is None and any("double zero of its conditions was ended" in text for text in found.not_tried)

@@ -14,12 +14,15 @@
     almost_ranks     ranks of closure, platform, drives and limbs that are almost lower as typed
     joint_changes    places and axes of joints, changed a little
     aligned_axes     axes that are almost parallel, coaxial or through one point, made so
+    alike_links      lengths, angles and offsets of links that are almost equal
     geometry_search  numbers of the geometry with conditions on it, and steps that meet them
+    approach         these steps, until they have ended, with the least change
     near_geometry    the nearest geometry in which these ranks are lost and loops keep closed that almost do
     witnesses        what every claim rests on, checked again by another of these routes
 """
 
 from symscrew.mobility.finite.almost_ranks import RankClaim, rank_claims
+from symscrew.mobility.finite.approach import NearGeometry
 from symscrew.mobility.finite.finite_motion import FiniteMobility, finite_mobility, kind_of, smooth_mobility
 from symscrew.mobility.finite.independent_parts import blocks_of
 from symscrew.mobility.finite.local_solutions import (
@@ -31,7 +34,7 @@ from symscrew.mobility.finite.local_solutions import (
     refine,
     solve_dependent,
 )
-from symscrew.mobility.finite.near_geometry import NearGeometry, search_special
+from symscrew.mobility.finite.near_geometry import search_special
 from symscrew.mobility.finite.passive_spins import (
     lone_pairs,
     named_spins,

@@ -1,6 +1,6 @@
 """Numbers of a geometry with conditions on it: steps in doubles along their slopes, residuals in 60 digits.
 
-    loops closed in configurations, vectors in null spaces --linearised--> steps of Gauss-Newton with the least change
+    loops closed in configurations, vectors in null spaces, links alike --linearised--> least steps of Gauss-Newton
 
 Conditions have unknowns of their own: the configuration in which loops close, the null vector of a rank that is lost.
 """
@@ -14,6 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from symscrew.algebra import CONTEXT
+from symscrew.mobility.finite.alike_links import Alike
 from symscrew.mobility.finite.almost_ranks import LEAST, RankClaim
 from symscrew.mobility.finite.double_zeros import Conditions
 from symscrew.mobility.finite.joint_changes import Slots, about, changed, closure_rates, count_of, screw_rates, slots_of
@@ -63,7 +64,20 @@ class _Singular:
         self.vector = self.vector - _fine(change)
 
 
-_Conditions = tuple[list[_Closes], list[_Singular]]
+class _Meant:
+    """Relations of links that hold; they have no unknowns of their own."""
+
+    def __init__(self, alike: Alike) -> None:
+        self.alike = alike
+
+    def residual(self, network: Network) -> Array:
+        return self.alike.residual(network)
+
+    def step(self, change: Array) -> None:
+        """Nothing of its own."""
+
+
+_Conditions = tuple[list[_Closes], list[_Singular], list[_Meant]]
 
 
 def _fine(values: Array) -> Array:
@@ -71,21 +85,21 @@ def _fine(values: Array) -> Array:
 
 
 def _conditions(
-    network: Network, points: Sequence[tuple[Array, int]], ranks: Sequence[tuple[RankClaim, int]]
+    network: Network, points: Sequence[tuple[Array, int]], ranks: Sequence[tuple[RankClaim, int]], alike: Alike | None
 ) -> _Conditions:
     centre = np.array(ClosureVariety(network).centre, dtype=object)
     singular = []
     for claim, rank in ranks:
         vectors = np.linalg.svd(claim.matrix(network, centre).astype(float))[2][rank:]
         singular += [_Singular(claim, rank, vector) for vector in vectors]
-    return [_Closes(q, rank) for q, rank in points], singular
+    return [_Closes(q, rank) for q, rank in points], singular, [] if alike is None else [_Meant(alike)]
 
 
 def _linear(network: Network, slots: Slots, conditions: _Conditions) -> list[_Linear]:
     """All conditions linearised about the geometry and their own unknowns, in doubles."""
     coarse = ClosureVariety(network)
     centre = np.array(coarse.centre, dtype=object)
-    closes, singular = conditions
+    closes, singular, meant = conditions
     result = []
     if closes:
         batch = np.array([one.q.astype(float) for one in closes])
@@ -103,6 +117,9 @@ def _linear(network: Network, slots: Slots, conditions: _Conditions) -> list[_Li
         inverse = vt[:rank].T @ ((u[:, :rank] / s[:rank]).T)
         pulled = claim.pulled(network, rates, vanishing.vector.astype(float))
         result.append(_Linear(u[:, rank:].T, inverse, pulled))
+    for relations in meant:
+        by_z = relations.alike.rates(network, slots)
+        result.append(_Linear(np.eye(len(by_z)), np.zeros((0, len(by_z))), by_z))
     return result
 
 
@@ -110,10 +127,14 @@ class Search:
     """Numbers z of the geometry with conditions on it: steps in doubles, residuals in 60 digits."""
 
     def __init__(
-        self, network: Network, points: Sequence[tuple[Array, int]], ranks: Sequence[tuple[RankClaim, int]]
+        self,
+        network: Network,
+        points: Sequence[tuple[Array, int]],
+        ranks: Sequence[tuple[RankClaim, int]],
+        alike: Alike | None = None,
     ) -> None:
         self.network, self.slots = network, slots_of(network)
-        self.conditions = _conditions(network, points, ranks)
+        self.conditions = _conditions(network, points, ranks, alike)
         self.z = np.array([CONTEXT.zero] * count_of(self.slots), dtype=object)
         self.after = network
         self.linear: list[_Linear] = []
@@ -122,14 +143,14 @@ class Search:
 
     def residuals(self) -> list[Array]:
         """What is left of every condition."""
-        fine, (closes, singular) = ClosureVariety(self.after, DIGITS_60), self.conditions
+        fine, (closes, singular, meant) = ClosureVariety(self.after, DIGITS_60), self.conditions
         centre = np.array(fine.centre, dtype=object)
         matrices = {}  # of a claim one: a rank that is lost by three has three vectors
         for claim in {one.claim.name: one.claim for one in singular}.values():
             rows = claim.matrix(self.after, centre)
             matrices[claim.name] = [[(j, c) for j, c in enumerate(row) if c] for row in rows]
         own = [one.residual(matrices[one.claim.name]) for one in singular]
-        return [*(one.residual(fine) for one in closes), *own]
+        return [*(one.residual(fine) for one in closes), *own, *(one.residual(self.after) for one in meant)]
 
     def linearise(self) -> None:
         """All conditions about the present numbers, which are then kept until this is asked for anew."""
@@ -167,7 +188,8 @@ class Search:
     def moved(self, dz: Array) -> Search:
         """Another search at z + dz; its conditions' own unknowns follow to first order."""
         other = copy(self)
-        other.conditions = ([copy(c) for c in self.conditions[0]], [copy(c) for c in self.conditions[1]])
+        closes, singular, meant = self.conditions
+        other.conditions = ([copy(c) for c in closes], [copy(c) for c in singular], meant)
         if dz.size:
             other.move(dz)
         return other

@@ -3,7 +3,8 @@
     ranks that are almost lower, configurations in which loops almost close --conditions--> unknown places and axes
     conditions --Gauss-Newton with the least change, residuals in 60 digits--> special geometry
     conditions at which it stalls --aligned_axes--> axes that nearly are parallel or meet made so, then as before
-    conditions at which it still stalls --double_zeros--> special geometry where they vanish twice
+    conditions at which it still stalls --alike_links--> links that nearly are alike made so, then as before
+    conditions at which it stalls without such --double_zeros--> special geometry where they vanish twice
 
 The unknowns are the places and axes of all joints. The conditions are ranks that are lower in the reference
 configuration (with their null vectors as further unknowns) and the closure of all loops in configurations along the
@@ -14,19 +15,19 @@ left to the ordinary analysis.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from functools import partial
+from dataclasses import replace
+from functools import cached_property, partial
 
 import numpy as np
 
 from symscrew.mobility.finite.aligned_axes import aligned, turned_together
+from symscrew.mobility.finite.alike_links import Alike, alike
 from symscrew.mobility.finite.almost_ranks import NEAR, LowRank, RankClaim, low_ranks, nearer
+from symscrew.mobility.finite.approach import Approach, GivenUpError, NearGeometry, OtherJointsError, between
 from symscrew.mobility.finite.branches import zeros_nearby
-from symscrew.mobility.finite.double_zeros import double_directions, vertex
-from symscrew.mobility.finite.geometry_search import Search
-from symscrew.mobility.finite.joint_changes import loses_a_pitch, sizes
 from symscrew.mobility.finite.local_solutions import (
     CLOSED,
+    DISTINCT,
     Local,
     flatten,
     local_at,
@@ -57,101 +58,22 @@ where the motion exists as meant, of the order of the step squared where it does
 ALMOST_ZERO = 100.0
 """Zeros on a sphere may be off by so many times the small singular value: of six digits `CLOSES` times it is what the
 redundant equations are off by anywhere on the sphere."""
+SAME = 1e-9
+"""Change of coordinates with which a zero is the same one: those of a branch that leaves a singular configuration at
+second order close with a change of 1e-12; of rounded numbers, that which closes them is as large as the zero is far."""
 ROUNDED_ZERO = 1e-11
 """They may be off by this as well: rounding of doubles in zeros that are double ones."""
-CUT_OFF = 30.0
-"""Singular values of the conditions below so many times the small one of the closure are rounding as typed."""
-LEAST_ROUGH = 1e-13
-"""Rounding of doubles in the conditions, after the decompositions that make them."""
-LARGEST_CUT = 0.1
-"""Of rough numbers the clearest conditions count all the same."""
-ROUNDS = 14
-"""Steps of Gauss-Newton: linear with the ratio of the distance, so a handful for doubles and a dozen for six digits."""
-LINEARISED = 3
-"""Rounds that linearise anew whatever they gain; what is left then is mostly far below the distance."""
-CONVERGED = 1e-40
-"""Residual at which it has ended: far below what ranks take for zero, far above rounding of 60 digits."""
-AT_VERTEX = 1e-22
-"""Step to a double zero after which it is one: the conditions are of the order of its square."""
-LINEAR = 1e-10
-"""Step to a double zero that is short enough for derivatives to stay what they are."""
-CLOSER = 1e-7
-"""How much closer a step to a double zero comes: curvatures are known to eight digits."""
-ENOUGH = 1e-28
-"""Residual with which it may end where steps gain no more: what they cut off as rounding. Ranks take 1e-27 for zero."""
-LITTLE = 1e-3
-"""A round that leaves more than this takes slopes anew: small ones change by as much on the way as they are. Fresh ones
-leave what doubles do not tell of the smallest slope, and that a thousandth or less."""
-SLOW = 0.2
-"""A round that leaves more than this was no step of Newton's method to a simple zero: to a double one it leaves 1/4."""
-QUARTERS = (0.2, 0.3)
-"""A round that leaves so much was half of the way to a double zero that has slopes beside it: the step once more is the
-other half. Parallelograms side by side in six digits took fourteen such rounds and had not ended."""
-SECOND_ORDER = 1e-18
-"""Residual below which all that has a slope of first order is met: six digits leave 1e-6, their third power is 1e-18.
-Conditions that hold to second order in the rounding have slopes of 1e-13, which doubles tell from none."""
 LEAST_NOISE = 1e-15
 """Rounding of doubles: what is smaller is not measured by them."""
 ROUGH = 30.0
 """Angles and distances below so many times the small singular value are rounding; where that aligns nothing that moves,
 those below `NEAR`."""
+AMPLIFIED = 10.0
+"""Links made alike are farther than they were off by one or two, for rings of twelve bars by four; two relations that
+agree by chance and contradict the others were met after fifty."""
 FIRST = 8
 """Configurations of each kind that are tried where twice as many are too many: conditions of which some hardly change
 with the geometry. With these alone a branch of dimension two has been missed."""
-FARTHEST = 1e-3
-"""Of the mechanism's size: farther geometry is another mechanism."""
-ASTRAY = 1e-2
-"""Of the mechanism's size: a search that has gone so far ends. Those that end within `FARTHEST` were never farther than
-3e-6 on their way with six digits, those towards what does not exist go 3e-2 and more in their first step."""
-
-FEW_DIGITS = 1e-9
-"""Of the mechanism's size: farther geometry that has ranks alone may rest by rounding only. A cusp in six digits
-is 1e-7 from such, and moves as meant; of five bars in line ten digits tell that they rest."""
-
-
-@dataclass(frozen=True)
-class NearGeometry:
-    """The special geometry: its network, the largest change of a joint [1, the mechanism's size], and of which.
-
-    `moves`: found from finite motions that close; else only ranks in the reference configuration are lost.
-    `stalled`: loops do nearly close in other configurations, but the search for geometry with which they close did not
-        converge.
-    `freedoms`: how many there are where zeros of the closure as typed were found, on which it was to close.
-    """
-
-    network: Network
-    distance: float
-    changes: tuple[tuple[str, float], ...]
-    moves: bool
-    stalled: bool = False
-    freedoms: frozenset[int] = frozenset()
-
-    def in_metres(self, length: float) -> tuple[float, tuple[tuple[str, float], ...]]:
-        """(the largest change, of every joint); `length`: the mechanism's size [m]."""
-        return self.distance * length, tuple((name, size * length) for name, size in self.changes)
-
-    @property
-    def tells(self) -> bool:
-        """Whether less mobility than as typed is believed of it: it is near, and nothing beside it was seen to move."""
-        return not self.stalled and self.distance < FEW_DIGITS
-
-
-MOST_LINEARISED = 720
-"""Linearisations that a double zero is looked for with, times joints: a second of time for a hexapod's conditions each
-dozen, of which a loop of six hinges takes a sixth. Eight cranks with their pins in line take thirty, Bricard's
-threefold linkage ninety: there the surfaces of three kinds of linkages that move meet."""
-GIVEN_UP = (
-    "special geometry next to what was typed: the search for a double zero of its conditions was ended after "
-    "{count} linearisations, so there may be such geometry that is not named"
-)
-
-
-class GivenUpError(ArithmeticError):
-    """The search for special geometry has taken too long."""
-
-
-class OtherJointsError(ArithmeticError):
-    """What the search has come to has hinges or other screws where screws were typed."""
 
 
 def search_special(network: Network, claims: Sequence[RankClaim], *, moves: bool) -> tuple[NearGeometry, ...] | str:
@@ -191,7 +113,7 @@ def _nearest(network: Network, claims: Sequence[RankClaim], near: float, *, move
     closure = next((one for one in low if one.claim.name == "closure"), None)
     ranks = [(one.claim, one.rank) for one in low]
     points: list[tuple[Array, int]] = []
-    astray = False
+    astray, like = False, _Likeness(network, ranks, noise)
     if closure is not None:
         off = CLOSES * noise if almost else near
         here = local_at(coarse, np.zeros(coarse.columns), rank=closure.rank)
@@ -202,31 +124,83 @@ def _nearest(network: Network, claims: Sequence[RankClaim], near: float, *, move
         if points and not almost and not _open(network, coarse, points):
             return ()  # what was typed moves so itself
         if points:
-            approach, kept = _Approach(network, points, ranks, noise=noise), turned_together(network)
+            approach, kept = Approach(network, points, ranks, noise=noise), turned_together(network)
             tries = [approach]
             if kept.shape[1] < len(approach.search.z):
-                tries.insert(0, _Approach(network, points, ranks, noise=noise, ways=kept))
-            found = _first(tries) or _by_alignment(network, low, noise) or _first(tries, twice=True)
+                tries.insert(0, Approach(network, points, ranks, noise=noise, ways=kept))
+            found = _first(tries[:1]) or _by_alignment(network, low, noise) or like.closing(closure.rank)
+            found = found or _first(tries[1:]) or _twice(tries, like)
             if found is not None or not almost:  # else ranks alone are those of what was typed
                 return () if found is None else (found,)
             astray = approach.astray  # then these motions are none that were meant
             if not astray:
-                alone = _Approach(network, [], ranks, noise=noise).found(twice=True)
-                return () if alone is None else (replace(alone, stalled=True),)
+                return tuple(replace(one, stalled=True) for one in like.ranks_alone())
         close = min(off, max(ALMOST_ZERO * noise, ROUNDED_ZERO))
         kinds = zeros_nearby(coarse, here, quadratic_forms(coarse, here), off=close, kind=partial(_rank, coarse, near))
         points = _open(network, coarse, [(zero, rank) for rank, zeros in kinds.items() for zero in zeros])
-    moving = _through(network, points, ranks, noise)
-    alone = _Approach(network, [], ranks, noise=noise).found(twice=True) if almost else None
-    if alone is not None and (points or astray) and moving is None:
-        alone = replace(alone, stalled=True)
-    return tuple(one for one in (alone, moving) if one is not None)
+    alone = like.ranks_alone() if almost else ()
+    moving = _through(network, points, ranks, noise, twice=like.found is None)
+    if moving is None:
+        return tuple(replace(one, stalled=bool(points or astray)) for one in alone)
+    return (*alone, moving)
 
 
-def _first(tries: Sequence[_Approach], *, twice: bool = False) -> NearGeometry | None:
+class _Likeness:
+    """Geometry with the ranks whose links are alike that nearly are; sought when it is first asked for."""
+
+    def __init__(self, network: Network, ranks: Sequence[tuple[RankClaim, int]], noise: float) -> None:
+        self.network, self.ranks, self.noise = network, ranks, noise
+
+    @cached_property
+    def relations(self) -> Alike | None:
+        return alike(self.network, min(NEAR, ROUGH * self.noise))
+
+    @cached_property
+    def found(self) -> NearGeometry | None:
+        """With the ranks and the relations; None where the search stalls, or where there are no relations."""
+        if self.relations is None:
+            return None
+        ways = turned_together(self.network)
+        search = Approach(self.network, [], self.ranks, noise=self.noise, ways=ways, alike=self.relations)
+        return self._near(search.found())
+
+    def _near(self, found: NearGeometry | None) -> NearGeometry | None:
+        """What is hardly farther than the relations and ranks are off: else they agree by chance."""
+        off = 0.0 if self.relations is None else max(self.noise, self.relations.off)
+        return found if found is not None and found.distance < AMPLIFIED * off else None
+
+    def closing(self, rank: int) -> NearGeometry | None:
+        """Where loops close along all motions as well, by hardly more than the relations."""
+        if self.found is None:
+            return None
+        after = self.found.network
+        coarse, ways = ClosureVariety(after), turned_together(after)
+        points = _motions(coarse, local_at(coarse, np.zeros(coarse.columns), rank=rank), CLOSES * self.noise)
+        if not points:
+            return None
+        closed = Approach(after, points, self.ranks, noise=LEAST_NOISE, ways=ways, alike=self.relations).found()
+        return None if closed is None else self._near(between(self.network, closed.network, moves=True))
+
+    def ranks_alone(self) -> tuple[NearGeometry, ...]:
+        """The nearest with the ranks, and with the relations too: which moves as meant is left to the analysis."""
+        nearest = Approach(self.network, [], self.ranks, noise=self.noise).found(twice=self.found is None)
+        return tuple(one for one in (nearest, self.found) if one is not None)
+
+
+def _first(tries: Sequence[Approach], *, twice: bool = False) -> NearGeometry | None:
     """The first that is found: with axes that are parallel as typed turned together, as those of a planar linkage are
     meant, then with all alone. The former has no double zeros of hinges that are tilted against each other."""
     return next((found for one in tries if (found := one.found(twice=twice)) is not None), None)
+
+
+def _twice(tries: Sequence[Approach], like: _Likeness) -> NearGeometry | None:
+    """`_first` with double zeros; None where that is given up and there is geometry with links alike to go by."""
+    try:
+        return _first(tries, twice=True)
+    except GivenUpError:
+        if like.found is None:
+            raise
+        return None
 
 
 def _by_alignment(network: Network, low: Sequence[LowRank], noise: float) -> NearGeometry | None:
@@ -242,9 +216,9 @@ def _by_alignment(network: Network, low: Sequence[LowRank], noise: float) -> Nea
             continue
         coarse = ClosureVariety(other)
         points = _motions(coarse, local_at(coarse, np.zeros(coarse.columns), rank=closure.rank), CLOSES * noise)
-        found = _Approach(other, points, ranks, noise=noise, ways=turned_together(other)).found() if points else None
+        found = Approach(other, points, ranks, noise=noise, ways=turned_together(other)).found() if points else None
         if found is not None:
-            return _between(network, found.network, moves=True)
+            return between(network, found.network, moves=True)
     return None
 
 
@@ -260,7 +234,7 @@ def _astray_at_once(
     first = _motions(coarse, here, off, most=2)
     if len(_open(network, coarse, first)) < len(first):
         return False
-    approach = _Approach(network, first, ranks, noise=LEAST_NOISE)
+    approach = Approach(network, first, ranks, noise=LEAST_NOISE)
     return approach.found(rounds=1) is None and approach.astray
 
 
@@ -299,7 +273,18 @@ def _walked(coarse: ClosureVariety, here: Local, motion: Array, off: float) -> A
 def _open(network: Network, coarse: ClosureVariety, points: Sequence[tuple[Array, int]]) -> list[tuple[Array, int]]:
     """Those of the configurations in which the loops do not close as typed, in 60 digits."""
     fine = ClosureVariety(network, DIGITS_60)
-    return [(q, rank) for q, rank in points if refine(coarse, fine, q, rank)[1] > CLOSED]
+    return [(q, rank) for q, rank in points if not _closes(coarse, fine, q, rank)]
+
+
+def _closes(coarse: ClosureVariety, fine: ClosureVariety, q: Array, rank: int) -> bool:
+    """Whether loops close there as typed: with the rank that is meant, or with all that is not rounding."""
+    values = np.linalg.svd(coarse.slopes(q[None])[0], compute_uv=False)
+    every = int((values > DISTINCT * values[0]).sum())
+    if every > rank:
+        point, left = refine(coarse, fine, q, every)
+        if left <= CLOSED and float(abs(point.astype(float) - q).max()) < SAME:
+            return True
+    return refine(coarse, fine, q, rank)[1] <= CLOSED
 
 
 def _rank(coarse: ClosureVariety, near: float, q: Array) -> int:
@@ -308,128 +293,24 @@ def _rank(coarse: ClosureVariety, near: float, q: Array) -> int:
 
 
 def _through(
-    network: Network, points: Sequence[tuple[Array, int]], ranks: Sequence[tuple[RankClaim, int]], noise: float
+    network: Network,
+    points: Sequence[tuple[Array, int]],
+    ranks: Sequence[tuple[RankClaim, int]],
+    noise: float,
+    *,
+    twice: bool,
 ) -> NearGeometry | None:
-    """Geometry with these ranks whose loops close in the configurations: in all, or in the first ones of every kind."""
+    """Geometry with these ranks whose loops close in the configurations: in all, or in the first ones of every kind.
+
+    `twice`: double zeros as well.
+    """
     if not points:
         return None
     kinds = [rank for _, rank in points]
     fewer = [point for k, point in enumerate(points) if kinds[:k].count(point[1]) < FIRST]
-    every = _Approach(network, points, ranks, noise=noise)
-    found = every.found(twice=len(fewer) == len(points))
+    every = Approach(network, points, ranks, noise=noise)
+    found = every.found(twice=twice and len(fewer) == len(points))
     if found is None and len(fewer) < len(points):
-        found = _Approach(network, fewer, ranks, noise=noise).found(twice=True)
+        found = Approach(network, fewer, ranks, noise=noise).found(twice=twice)
     freedoms = frozenset(network.freedoms - rank for rank in kinds)
     return None if found is None else replace(found, freedoms=freedoms)
-
-
-class _Approach:
-    """Gauss-Newton from what was typed towards the conditions; where it has stalled it can go on to a double zero.
-
-    `astray`: it has left the numbers typed, so the conditions are not theirs: motions taken for real ones are not.
-    """
-
-    def __init__(
-        self,
-        network: Network,
-        points: Sequence[tuple[Array, int]],
-        ranks: Sequence[tuple[RankClaim, int]],
-        *,
-        noise: float,
-        ways: Array | None = None,
-    ) -> None:
-        self.search = Search(network, points, ranks)
-        self.search.ways = ways
-        self.moves, self.noise, self.astray = bool(points), noise, False
-        self._attempt, self._best, self._rough, self._fresh = 0, float("inf"), noise, True
-        self._left: list[Array] = self.search.residuals()
-        self._rest: Array | None = None
-        self._finer: float | None = None
-
-    def found(self, *, twice: bool = False, rounds: int = ROUNDS) -> NearGeometry | None:
-        """The geometry; None where it stalls, or has not ended after so many rounds. `twice`: double zeros as well."""
-        search = self.search
-        while self._attempt < rounds and not self.astray:
-            size = max(float(np.linalg.norm(r)) for r in self._left)
-            if size < CONVERGED:
-                return self._ended(search)
-            slow = self._attempt >= LINEARISED and size > SLOW * self._best
-            if (slow or self._finer is not None) and size < ENOUGH:  # along small slopes rounds gain a hundredth each
-                return self._ended(search)
-            if slow and self._rest is not None and QUARTERS[0] < size / self._best < QUARTERS[1]:
-                search.move(self._rest)
-                self._rest, self._best, self._left = None, float("inf"), search.settled().residuals()
-                continue
-            slow = slow and size > self._best / 2  # else rounds come to leave a quarter yet
-            if slow and self._fresh:
-                if self._along_small_slopes(size):
-                    continue
-                if not twice:
-                    return None
-                cut = min(LARGEST_CUT, CUT_OFF * max(LEAST_ROUGH, self.noise))
-                double = _solved_twice(search.moved(np.zeros(0)), cut)
-                if double is not None or size > self._best / 2:
-                    return None if double is None else self._ended(double)
-            self._fresh = self._attempt < LINEARISED or size > LITTLE * self._best or self._finer is not None
-            if self._fresh:
-                search.linearise()
-                self._rough = max(LEAST_ROUGH, self._rough if self._attempt == 0 else size)
-            self._best = size
-            cut = min(LARGEST_CUT, CUT_OFF * self._rough) if self._finer is None else self._finer
-            self._rest = search.step(self._left, cut)
-            self._attempt += 1
-            self.astray = bool(max(abs(c) for c in search.z) > ASTRAY)
-            self._left = [] if self.astray else search.residuals()
-        return None
-
-    def _along_small_slopes(self, size: float) -> bool:
-        """Whether it goes on along slopes that were cut off, but stand clear of rounding, where nothing else is left.
-
-        Where several axes are rounded a condition on one has a slope as small as the product of what others are off.
-        """
-        if self._finer is not None or size > SECOND_ORDER:
-            return False
-        self._finer = self.search.clear_below(CUT_OFF * LEAST_ROUGH)
-        if self._finer is not None:
-            self.search.step(self._left, self._finer)
-            self._best, self._left = float("inf"), self.search.settled().residuals()
-            self._attempt += 1
-        return self._finer is not None
-
-    def _ended(self, search: Search) -> NearGeometry | None:
-        return _between(search.network, search.after, moves=self.moves)
-
-
-def _between(network: Network, after: Network, *, moves: bool) -> NearGeometry | None:
-    changes = sizes(network, after)
-    distance = max(size for _, size in changes)
-    if loses_a_pitch(network, after):
-        raise OtherJointsError
-    return NearGeometry(after, distance, changes, moves) if distance < FARTHEST else None
-
-
-def _solved_twice(search: Search, cut: float) -> Search | None:
-    """The search ended in a double zero of conditions that linear steps hardly make smaller; None where it is none."""
-    believed, best, length = float(max(abs(c) for c in search.z)), float("inf"), float("inf")
-    left = most = MOST_LINEARISED // len(search.network.edges)
-    for _ in range(ROUNDS):
-        if believed > FARTHEST:
-            return None
-        if length > LINEAR:
-            search.linearise()
-            doubled, left = double_directions(search.without_slope(cut), left)
-            if left < 0:
-                raise GivenUpError(GIVEN_UP.format(count=most))
-        if doubled is None:
-            return None
-        step = search.along_ways(vertex(search.without_slope(cut), doubled, believed))
-        search.move(step)
-        search.step(search.residuals(), cut)
-        size = max(float(np.linalg.norm(r)) for r in search.residuals())
-        length = float(np.linalg.norm(step))
-        if size < CONVERGED and length < AT_VERTEX:
-            return search
-        if size > best / 2 and size > CONVERGED:
-            return None
-        best, believed = size, max(length * length, CLOSER * length)
-    return None
