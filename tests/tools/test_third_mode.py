@@ -135,7 +135,7 @@ def test_no_other_mode_has_b_free_and_a_tied_or_at_rest() -> None:
     text = ""
     for k, plane in enumerate(("2*X+3*Y-5*Z+7*C+4*S-9", "11*X-3*Y+8*Z+5*C-6*S+17")):
         text += f"""ring r{k} = {prime}, (w,X,Y,Z,C,S,c,s,u), dp; option(redSB);
-        ideal K = std(ideal({",".join(made)}, {plane}, u-3*c-5*s)); print("@size " + string(vdim(K)));
+        ideal K = slimgb(ideal({",".join(made)}, {plane}, u-3*c-5*s)); print("@size " + string(vdim(K)));
         ring s{k} = {prime}, (w,X,Y,Z,C,S,c,s,u), lp; ideal L = fglm(r{k}, K); poly f = L[1];\n"""
     text += "poly g = imap(s0, f);"
     text += 'print("@both " + string(deg(f)) + " " + string(deg(gcd(f, g)))); print("@end"); quit;'
