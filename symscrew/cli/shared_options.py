@@ -11,6 +11,7 @@ import importlib
 import os
 import re
 import sys
+import tempfile
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -149,6 +150,12 @@ def check_folder(directory: str | Path, option: str = "--out") -> None:
         raise UsageError(f"{option}: expected a folder, found a file: {shorten(str(there), 200)}")
     if not os.access(there, os.W_OK | os.X_OK):
         raise UsageError(f"{option}: no permission to write into {shorten(str(there), 200)}")
+    if there != path:
+        try:  # some systems of files take nothing, whatever the permissions are
+            os.rmdir(tempfile.mkdtemp(dir=there))
+        except OSError as error:
+            said = f"nothing can be made in {shorten(str(there), 200)} ({error.strerror}); use another place"
+            raise UsageError(f"{option}: {said}") from error
 
 
 def keep_inputs(written: Iterable[Path], read: Iterable[str], option: str = "--out") -> None:

@@ -279,6 +279,26 @@ def test_ports_without_entries_and_without_ports() -> None:
         assert y.shape == (*shape, 1) and z.shape == (*shape, 0) and status.shape == shape and (y == 2.0).all()
 
 
+def test_a_batch_of_one_state_takes_the_short_way(found: Model) -> None:
+    """By every memory order the bits of a single call; beside a batch of several it is broadcast, by the long way."""
+    few = only(found, "inverse_dynamics")
+    function = load(few, backend="c", flags=EXACT).inverse_dynamics
+    assert function.new is not None
+    arrays = inputs(few, "inverse_dynamics", 3)
+    single = function(*(x[0] for x in arrays))
+    for layout in LAYOUTS.values():
+        given = [layout(x)[:1] for x in arrays]
+        *whole, status = function(*given, check=False)
+        assert whole[0].shape == (1, len(single)) and status.tolist() == [0]
+        assert np.array_equal(whole[0][0], single)
+    for beside in ([x[:1] for x in arrays], [arrays[0][:1], *(x[0] for x in arrays[1:])]):
+        made = function.new(beside, 1, True)
+        assert made is not None and made[3] == (1,) and np.array_equal(made[1][0], [single])
+    mixed = [arrays[0][:1], *arrays[1:]]
+    assert function.new(mixed, 1, True) is None
+    assert np.array_equal(function(*mixed, check=False)[0][0], single)
+
+
 @pytest.mark.parametrize("native", [True, False])
 def test_threads_give_the_same_bits(found: Model, monkeypatch: pytest.MonkeyPatch, native: bool) -> None:
     """Threads of POSIX, and threads of Python where the compiler has none."""
@@ -362,9 +382,10 @@ def test_calls_of_the_library_by_itself(found: Model) -> None:
         [thinned(q), *others],
         [q, *(x[0] for x in others)],
         [x[0] for x in arrays],
+        [x[:1] for x in arrays],
     ]
     left = [
-        [x[:1] for x in arrays],
+        [q[:1], *others],
         [q.tolist(), *others],
         [q.astype("f4"), *others],
         [q[:, 1:], *others],
@@ -379,7 +400,7 @@ def test_calls_of_the_library_by_itself(found: Model) -> None:
     before = counted()
     for _ in range(200):
         for told in (False, True):
-            for given in taken[:2] + left[1:3]:
+            for given in taken[:2] + taken[4:] + left[1:3]:
                 function.new(given, 1, told)
     worst, (u,), status, batch = function.new(arrays, 1, True)
     assert sys.getrefcount(u) == sys.getrefcount(status) == 2 and u.flags.owndata and u.flags.c_contiguous

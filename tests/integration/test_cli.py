@@ -123,7 +123,9 @@ def test_bad_use(arguments: list[str], text: str, tmp_path: Path, capsys, monkey
 def test_place_where_nothing_can_be_written(command: str, capsys: pytest.CaptureFixture[str]) -> None:
     mechanism = [] if command == "demo" else ["four_bar"]
     place = "/proc/nowhere/made" + (".png" if command == "draw" else "")
-    assert_one_clear_line(*run(command, *mechanism, "--out", place, capsys=capsys))
+    code, out, err = run(command, *mechanism, "--out", place, capsys=capsys)
+    assert_one_clear_line(code, out, err)
+    assert len(err.splitlines()) == 1 and "/proc" in err  # before anything is read or derived
 
 
 @pytest.mark.slow

@@ -165,3 +165,17 @@ def test_only_products_that_share_something_are_compared(monkeypatch: pytest.Mon
     (made,) = common_factors.factored([total + x[0] * x[3] + x[5] * x[6]])
     assert 0 < len(looked) < 12
     assert sum(node.op == "mul" for node in needed([made])) == length
+
+
+def test_sums_that_share_nothing_are_left_as_they_are(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Most sums of a long chain: they are not made again, and their products are not written down by factors."""
+    tape = Tape()
+    x = [tape.symbol(f"x{k}", "1", "input") for k in range(6)]
+    root, made = x[0] * x[1] + x[2] * x[3] - x[4] * x[5], common_factors._Product
+    written: list[int] = []
+    monkeypatch.setattr(common_factors, "_Product", lambda *given: written.append(1) or made(*given))
+    before = len(tape.nodes)
+    assert common_factors.factored([root])[0] is root and not written and len(tape.nodes) == before
+    nested = x[0] * (x[1] * x[2]) + x[1] * (x[0] * x[2])  # no factor in common, but all of them as a whole
+    (less,) = common_factors.factored([nested, x[1] * x[2], x[0] * x[2]])[:1]
+    assert len(written) > 2 and sum(node.op == "add" for node in needed([less])) == 0

@@ -11,7 +11,7 @@ import heapq
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from symscrew.algebra import LEAVES, Node, handed_on, needed, remade, uses
+from symscrew.algebra import LEAVES, Node, handed_on, remade, uses
 
 SUMS = frozenset(("add", "sub"))
 LONG = 8
@@ -45,12 +45,18 @@ def factored(roots: Sequence[Node]) -> list[Node]:
 
     A factored result may be the negative of what the tape holds, which is one operation more where nothing reads it.
     """
-    found = _factored(roots)
-    return found if found != roots and len(needed(found)) < len(needed(roots)) else list(roots)
+    before = uses(roots)
+    found = _factored(roots, before)
+    return found if found != roots and _operations(found, uses(found)) < _operations(roots, before) else list(roots)
 
 
-def _factored(roots: Sequence[Node]) -> list[Node]:
-    read = uses(roots)
+def _operations(roots: Sequence[Node], read: Mapping[int, int]) -> int:
+    """How many operations the roots take, of what they need by index."""
+    nodes = roots[0].tape.nodes
+    return sum(nodes[index].value is None and nodes[index].op != "symbol" for index in read)
+
+
+def _factored(roots: Sequence[Node], read: Mapping[int, int]) -> list[Node]:
     nodes = roots[0].tape.nodes if roots else []
     sums = [node for node in map(nodes.__getitem__, read) if node.op in SUMS]
     inner = {a.index for node in sums for a in node.args if a.op in SUMS and read[a.index] == 1}
@@ -90,8 +96,11 @@ class _Sum:
 
     def made(self) -> Node:
         """The sum with common factors taken out, the other terms where they were."""
-        terms = [self.new.get(node.index, node) for node, _ in self.terms]
-        for place, product in self._joined().items():
+        joined, new = self._joined(), self.new
+        if not joined and not any(node.index in new for node, _ in self.terms):
+            return self.root  # as most sums are
+        terms = [new.get(node.index, node) for node, _ in self.terms]
+        for place, product in joined.items():
             if product is None:
                 terms[place] = self.root.tape.zero
             else:
@@ -116,9 +125,10 @@ class _Sum:
 
     def _joined(self) -> dict[int, _Product | None]:
         """Products by the place of a term that they take; None: its place is empty."""
-        products = [self._product(n, *term) for n, term in enumerate(self.terms) if term[0].op == "mul"]
-        if not _something_twice(products):
+        found = [(n, *self._factors(*term)) for n, term in enumerate(self.terms) if term[0].op == "mul"]
+        if not _something_twice([factors for _, _, factors in found]):
             return {}
+        products = [_Product(*product, _whole(product[2])) for product in found]
         joined: dict[int, _Product | None] = {}
         pairs = _Pairs(products)
         while (best := pairs.best()) is not None:
@@ -128,19 +138,20 @@ class _Sum:
             pairs.join(*best)
         return joined
 
-    def _product(self, place: int, node: Node, negative: bool) -> _Product:
+    def _factors(self, node: Node, negative: bool) -> tuple[bool, tuple[Node, ...]]:
+        """Whether a product is subtracted, and its factors, down to what something else reads too."""
         factors: list[Node] = []
-        stack = [node]
+        stack, read, new = [node], self.read, self.new
         while stack:
             here = stack.pop()
-            if here.op == "mul" and self.read[here.index] == 1:
+            if here.op == "mul" and read[here.index] == 1:
                 stack += here.args[::-1]
                 continue
-            here = self.new.get(here.index, here)
+            here = new.get(here.index, here)
             if here.op == "neg":
                 here, negative = here.args[0], not negative
             factors.append(here)
-        return _Product(place, negative, tuple(factors), _whole(factors))
+        return negative, tuple(factors)
 
 
 class _Pairs:
@@ -196,13 +207,17 @@ def _whole(factors: Sequence[Node]) -> tuple[int, ...] | None:
     return None if stack else tuple(sorted(found))
 
 
-def _something_twice(products: Sequence[_Product]) -> bool:
-    """Whether any two have something in common at all."""
+def _something_twice(products: Sequence[tuple[Node, ...]]) -> bool:
+    """Whether any two products, given by their factors, have something in common at all."""
     if len(products) < 2:
         return False
-    factors = [factor for product in products for factor in set(product.factors)]
-    wholes = [product.whole for product in products if product.whole is not None]
-    return len(set(factors)) < len(factors) or len(set(wholes)) < len(wholes)
+    factors = [factor for product in products for factor in set(product)]
+    if len(set(factors)) < len(factors):
+        return True
+    if not any(factor.op == "mul" for factor in factors):
+        return False  # as a whole they are their factors
+    wholes = [whole for whole in map(_whole, products) if whole is not None]
+    return len(set(wholes)) < len(wholes)
 
 
 def _gain(one: _Product, other: _Product) -> int:
