@@ -7,7 +7,6 @@ import json
 import os
 import sys
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -27,7 +26,7 @@ from symscrew.whole_files import destination, write_text
 if TYPE_CHECKING:
     from symscrew.cli.same_files import Outcome
     from symscrew.description import Mechanism
-    from symscrew.mobility import AllowedTime, Connections, Mobility
+    from symscrew.mobility import Connections, Mobility
 
 EXAMPLES = (
     "symscrew mobility three_ups_upu_s",
@@ -81,12 +80,6 @@ def add_options(command: argparse.ArgumentParser) -> None:
 SECONDS = 75.0
 """Of the processor, for components: of 70 mechanisms of the literature none took more when stages had times of their
 own."""
-ALGEBRA, NUMBERS = 1 / 5, 4 / 15
-"""Parts of this time for exact algebra and for the numerical decomposition; what is left is for given coordinates."""
-KEPT = 2 / 15
-"""Part of it that is left for configurations with zero parameters."""
-SHORTLY = 1 / 15
-"""Part of it for both where modes are known: wholes that are decomposed at all then take a second or two."""
 Parts = tuple[list[str], dict[str, Any]]
 """Components in words and as JSON values."""
 ASKED = ("tolerance", "body", "along", "connections", "expect", "full", "json")
@@ -157,6 +150,7 @@ def _made(
         AllowedTime,
         analyse_mobility,
         judged_connections,
+        studied_components,
         verified,
         with_rechecked_parts,
     )
@@ -170,7 +164,7 @@ def _made(
     proved = not options.proof or _proved(found, Path(options.proof), ways)
     parts: Parts | None = None
     if options.components:
-        found, parts = _components(found, allowed)
+        found, parts = studied_components(found, allowed)
     more = _more(found, options, parts, ways)
     text = _json(found, failed, options, more) if options.json else _words(found, failed, options, more)
     files = {} if writer is None else {"report": writer(found).encode()}
@@ -212,74 +206,6 @@ def _words(
     lines = [found.report().splitlines()[0], mobility_text(found, full=options.full)]  # the rest follows in more words
     lines += ["\n    ".join([title, *parts[0]]) for title, parts in more.values()]
     return "\n".join([*lines, _verdict(found, options.expect, failed)])
-
-
-def _components(found: Mobility, allowed: AllowedTime) -> tuple[Mobility, Parts]:
-    """(the result with what components prove of its branches, the components in words and as JSON values).
-
-    Four-bars have a way of their own, which needs no program. Modes with parallel axes are soon found: where they are
-    known the whole, which rarely ends then, is tried for a shorter time. What exact algebra does not divide is
-    decomposed numerically.
-    """
-    from symscrew.mobility import (
-        component_lines,
-        component_values,
-        components_of,
-        configuration_space,
-        judged_modes,
-        mode_lines,
-        mode_values,
-        numerical_components,
-        numerical_lines,
-        numerical_values,
-        pose_lines,
-        pose_modes,
-        pose_values,
-        sampled_modes,
-        space_lines,
-        space_values,
-        with_components,
-        with_zero_parameters,
-        zero_lines,
-        zero_values,
-    )
-
-    curves = components_of(found.mechanism, found.network)
-    if not isinstance(curves, str):
-        return found, (component_lines(curves), component_values(curves))
-    several, known = len(found.network.chords) > 1, "not decided: one loop"
-    whole = allowed.seconds
-    modes = pose_modes(found.mechanism, found.network, allowed.at_most(whole / 6)) if several else known
-    algebra, numbers = (ALGEBRA, NUMBERS) if isinstance(modes, str) else (SHORTLY, SHORTLY)
-    space = configuration_space(found.mechanism, found.network, allowed.at_most(algebra * whole))
-    if not found.network.chords:
-        return found, ([str(space)], {"decided": False, "why": str(space)})
-    if not isinstance(space, str) and space.proved:
-        return with_components(found, space), (space_lines(space), space_values(space))
-    sets = () if isinstance(modes, str) else (*(mode.part for mode in modes.modes), *modes.unseen)
-    first = allowed.at_most(numbers * whole)
-    over = max(0.0, allowed.left - first - KEPT * whole)
-    numerical = numerical_components(
-        found.mechanism, found.network, first, over=over, beside=sets
-    )  # fmt: skip
-    divided = [numerical] if isinstance(numerical, str) else numerical_lines(numerical)
-    counted = numerical if isinstance(numerical, str) else numerical_values(numerical)
-    if not isinstance(space, str):
-        parts = [*space_lines(space), *divided], {**space_values(space), "numerical": counted}
-        return with_components(found, space), parts
-    if allowed.over():
-        divided.append(f"the {whole:g} s of the processor are over; --seconds gives more")
-    lines, values = [space, *divided], {"decided": False, "why": space, "numerical": counted}
-    if isinstance(modes, str) and not several and not allowed.over():
-        modes = pose_modes(found.mechanism, found.network, allowed.at_most(whole / 6))
-    if not isinstance(modes, str):
-        modes = replace(modes, others=judged_modes(found, modes.others)) if found.in_reference else modes
-        return found, ([*lines, *pose_lines(modes)], {**values, "pose_modes": pose_values(modes)})
-    seen = sampled_modes(found.network, found.platform.body)
-    seen = judged_modes(found, seen) if found.in_reference else seen
-    held = with_zero_parameters(found.mechanism, found.network, seen, allowed.at_most(algebra * whole))
-    lines = [*lines, *mode_lines(seen), *zero_lines(held)]
-    return found, (lines, {**values, "operation_modes": mode_values(seen), "zero_parameters": zero_values(held)})
 
 
 def _along_lines(found: Mobility) -> list[str]:

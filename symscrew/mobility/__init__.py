@@ -11,7 +11,7 @@
     System    --margins/--> numbers of q that vanish at singularities --singularities--> their values
     all of it --analysis--> Mobility --findings/--> words, documents, JSON;  --checks--> every claim again
     Mobility  --motions/--> every branch: tangents, screw systems, joints at rest
-    Mechanism --components/--> operation modes, components of the configuration space
+    Mechanism --components/--> operation modes, components of the configuration space; component_study: in words
     Mobility  --assembly_ways--> assembly modes, and ways between them: certified, or sampled
     Mobility  --proofs/, proof_file--> a file of exact numbers that a checker judges alone
 
@@ -33,32 +33,14 @@ if TYPE_CHECKING:
         judged_modes,
     )
     from symscrew.mobility.checks import Check, verified, verify
+    from symscrew.mobility.component_study import studied_components
     from symscrew.mobility.components import (
         ALGEBRA_PROGRAM,
         AllowedTime,
-        ConfigurationSpace,
         NotAlgebraicError,
-        NumericalSpace,
-        PoseModes,
-        SampledModes,
         algebra_answer,
         assembly_connections,
-        configuration_space,
-        mode_lines,
-        mode_values,
-        numerical_components,
-        numerical_lines,
-        numerical_values,
-        pose_lines,
-        pose_modes,
-        pose_values,
         regular_ways,
-        sampled_modes,
-        space_lines,
-        space_values,
-        with_zero_parameters,
-        zero_lines,
-        zero_values,
     )
     from symscrew.mobility.configuration import Reached, with_parameters
     from symscrew.mobility.findings import (
@@ -81,8 +63,6 @@ if TYPE_CHECKING:
         Components,
         ScrewClass,
         WholeMotion,
-        component_lines,
-        component_values,
         components_of,
         motion_lines,
         motion_values,
@@ -113,7 +93,6 @@ __all__ = [
     "ClosureVariety",
     "Components",
     "Configuration",
-    "ConfigurationSpace",
     "Connections",
     "Edge",
     "Exact",
@@ -125,10 +104,7 @@ __all__ = [
     "Network",
     "NotAlgebraicError",
     "NotDecidableError",
-    "NumericalSpace",
-    "PoseModes",
     "Reached",
-    "SampledModes",
     "ScrewClass",
     "ScrewSystem",
     "Verdict",
@@ -139,11 +115,8 @@ __all__ = [
     "assembly_connections",
     "check_proof",
     "check_ways",
-    "component_lines",
-    "component_values",
     "components_of",
     "condition",
-    "configuration_space",
     "connection_lines",
     "connection_values",
     "constraint_margins",
@@ -163,36 +136,23 @@ __all__ = [
     "mobility_proof",
     "mobility_text",
     "mobility_values",
-    "mode_lines",
-    "mode_values",
     "motion_lines",
     "motion_values",
     "moved",
     "named_spins",
     "network_of",
-    "numerical_components",
-    "numerical_lines",
-    "numerical_values",
-    "pose_lines",
-    "pose_modes",
-    "pose_values",
     "read_coordinates",
     "regular_ways",
-    "sampled_modes",
     "screw_class",
     "sections",
-    "space_lines",
-    "space_values",
+    "studied_components",
     "targets_of",
     "verified",
     "verify",
     "with_components",
     "with_parameters",
     "with_rechecked_parts",
-    "with_zero_parameters",
     "write_proof",
-    "zero_lines",
-    "zero_values",
 ]
 
 __getattr__ = doors(__name__)

@@ -52,6 +52,7 @@ def test_a_motion_that_could_not_be_solved_is_not_taken_for_one_that_stops(monke
     """Bennett's linkage moves; where no step can be solved nothing is known, which is said."""
     assert finite_mobility(network("bennett")).dof == 1
     monkeypatch.setattr(local_solutions, "CONVERGED", 0.0)
+    monkeypatch.setattr(local_solutions, "RESIDUAL", 0.0)
     found = finite_mobility(network("bennett"))
     assert (found.dof, found.kind, found.proved) == (None, "undecided", False)
     assert "could not be solved for the dependent coordinates, down to a size of 0.0002" in found.evidence[0]
@@ -116,6 +117,7 @@ def test_refinement_reaches_sixty_digits(monkeypatch: pytest.MonkeyPatch) -> Non
     monkeypatch.setattr(local_solutions, "REFINEMENTS", 1)
     assert local_solutions.EXACT < local_solutions.refine(coarse, fine, near, 3)[1] < 1e-12
     monkeypatch.setattr(local_solutions, "CONVERGED", 0.0)
+    monkeypatch.setattr(local_solutions, "RESIDUAL", 0.0)
     assert local_solutions.solve_dependent(coarse, here, here.q + 0.01 * here.kernel[:, 0]) is None
 
 

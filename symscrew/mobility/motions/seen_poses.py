@@ -159,6 +159,6 @@ def axis_name(edge: Edge, column: int) -> str:
     """`about the axis of A`, `along the axis of limb1_P`, `about the second axis of limb1_U`."""
     singles = {start: motion for motion, start in edge.motions if motion.single}
     how = "along" if singles[column].prismatic else "about"
-    if len(singles) == 1 or edge.type == "C":  # a cylindrical joint turns about and slides along one axis
+    if len({motion.axis for motion in singles.values()}) == 1:  # a cylindrical joint turns about and slides along one
         return f"{how} the axis of {edge.name}"
     return f"{how} the {('first', 'second', 'third')[list(singles).index(column)]} axis of {edge.name}"
