@@ -14,6 +14,7 @@ import sympy
 
 from symscrew.mobility.field_counts import as_lines as counts_in_words
 from symscrew.mobility.findings.at_rest import resting_lines
+from symscrew.mobility.findings.counts_typeset import in_latex
 from symscrew.mobility.findings.places import place_lines
 from symscrew.mobility.findings.typeset import inline, presentable, vanishing
 from symscrew.mobility.finite import lone_pairs, named_spins
@@ -72,7 +73,7 @@ def sections(found: Mobility) -> list[tuple[str, list[str]]]:
         result.append(("Where it degenerates", _loci(found.loci)))
     if lines := as_lines(found.singularities):
         result.append(("How far from singularities (0 at one)", lines))
-    result.append(("In the field's words", counts_in_words(found.counts)))
+    result.append(("In the field's words", [in_latex(line) for line in counts_in_words(found.counts)]))
     if found.redundant.count:
         result.append(("Redundant constraints", _redundant(found)))
     if found.near is not None:

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING
 
 import sympy
 
+from symscrew.mobility.field_counts import as_lines
+from symscrew.mobility.findings.counts_typeset import counts_as_mathml, typed_counts
 from symscrew.mobility.symbols import conditions
 
 if TYPE_CHECKING:
@@ -143,7 +145,7 @@ def typed_formulas(found: Mobility) -> dict[str, str]:
     result = {screw_latex(v): f"({', '.join(map(typed, v[:3]))}; {', '.join(map(typed, v[3:]))})" for v in vectors}
     result.update({f"{sympy.latex(e)} = 0": f"{typed(e)} = 0" for e in loci})
     result.update({sympy.latex(e): typed(e) for e in single})
-    return result
+    return result | typed_counts(as_lines(found.counts))
 
 
 def mathml(expression: sympy.Expr) -> str:
@@ -180,7 +182,7 @@ def formulas(found: Mobility) -> dict[str, str]:
     for expression in loci:
         result[f"{sympy.latex(expression)} = 0"] = _equation(expression)
     result.update({sympy.latex(e): f"<math>{_presented(e)}</math>" for e in single})
-    return result
+    return result | counts_as_mathml(as_lines(found.counts))
 
 
 def _fenced(inside: str) -> str:
