@@ -1,6 +1,6 @@
 """The formulas of the field's counts, typed once between dollar signs: as LaTeX and MathML.
 
-    "$d (n - g - 1) + sum f = 3$" --words, numbers, signs--> d (n - g - 1) + \\sum f = 3, <math>...</math>
+"$d (n - g - 1) + sum f = 3$" --words, numbers, signs--> d (n - g - 1) + \\sum f = 3, <math>...</math>
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ WORDS = {
     "-": ("-", "<mo>&#x2212;</mo>"),
 }
 """What is typed -> (LaTeX, MathML) where these are not the letter itself."""
+BRACKETS = {"(": "prefix", ")": "postfix"}
 PARTS = re.compile(r"sum f|S_Gi|S_F|lambda|nu|zeta|\d+|\S")
 
 
@@ -53,6 +54,8 @@ def _mathml(typed: str) -> str:
 def _element(part: str, before: str) -> str:
     if part == "-" and before in ("", "=", "("):
         return '<mo form="prefix">&#x2212;</mo>'
+    if part in BRACKETS:
+        return f'<mo form="{BRACKETS[part]}" stretchy="false">{part}</mo>'
     if part in WORDS:
         return WORDS[part][1]
     kind = "mn" if part.isdigit() else "mi" if part.isalpha() else "mo"

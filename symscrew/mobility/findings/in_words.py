@@ -16,7 +16,8 @@ from symscrew.mobility.field_counts import as_lines as counts_in_words
 from symscrew.mobility.findings.at_rest import resting_lines
 from symscrew.mobility.findings.counts_typeset import in_latex
 from symscrew.mobility.findings.places import place_lines
-from symscrew.mobility.findings.typeset import inline, presentable, vanishing
+from symscrew.mobility.findings.planar_drives import lines_of_drives
+from symscrew.mobility.findings.typeset import inline, presentable, say_more, vanishing
 from symscrew.mobility.finite import lone_pairs, named_spins
 from symscrew.mobility.motions import branch_lines
 from symscrew.mobility.screw_text import describe_twist, describe_wrench
@@ -42,7 +43,7 @@ def sections(found: Mobility) -> list[tuple[str, list[str]]]:
     for limb in found.limbs:
         lines = [f"{_count(len(limb.screws), 'joint freedom')}, {_count(len(limb.constraints.basis), 'constraint')}"]
         lines += [describe_wrench(w) for w in limb.constraints.basis]
-        if limb.name in symbolic and symbolic[limb.name].constraints:
+        if limb.name in symbolic and say_more(symbolic[limb.name].constraints):
             lines.append(f"in symbols (f ; m): {inline(symbolic[limb.name].constraints)}")
         alike = {name: f"\0{k}\0" for k, name in enumerate(limb.joints)}
         facts = (*lines, *_displaced(found, limb.name))
@@ -55,7 +56,8 @@ def sections(found: Mobility) -> list[tuple[str, list[str]]]:
     motion_type = found.platform.motion_type
     lines = [f"{_count(found.platform.dof, 'freedom')}, type {motion_type}{_meaning(motion_type)}"]
     lines += [describe_twist(t) for t in found.platform.freedoms.basis]
-    if found.symbolic is not None and found.platform.body == found.mechanism.platform and found.symbolic.freedoms:
+    of_platform = found.symbolic is not None and found.platform.body == found.mechanism.platform
+    if found.symbolic is not None and of_platform and say_more(found.symbolic.freedoms):
         lines.append(f"in symbols (omega ; v): {inline(found.symbolic.freedoms)}")
     if found.without_symbols:
         lines.append(found.without_symbols)
@@ -69,9 +71,9 @@ def sections(found: Mobility) -> list[tuple[str, list[str]]]:
         )
     if not found.limbs and found.network.chords and (lines := _motions(found)):
         result.append(("Motions of the loops in symbols", lines))
-    if found.loci:
-        result.append(("Where it degenerates", _loci(found.loci)))
-    if lines := as_lines(found.singularities):
+    if lines := [*_loci(found.loci), *lines_of_drives(found)]:
+        result.append(("Where it degenerates", lines))
+    if lines := as_lines(found.singularities, found.mechanism.limbs):
         result.append(("How far from singularities (0 at one)", lines))
     result.append(("In the field's words", [in_latex(line) for line in counts_in_words(found.counts)]))
     if found.redundant.count:
@@ -169,7 +171,7 @@ def _summary(found: Mobility) -> list[str]:
         lines.append(found.nearly_singular)
     lines += found.nearly_special
     if found.dof_drives_locked is not None:
-        locked = f"{_count(found.dof_drives_locked, 'freedom')} left with all drives locked"
+        locked = f"{_count(found.dof_drives_locked, 'freedom').capitalize()} left with all drives locked"
         spun = found.dof_drives_locked and found.dof_drives_locked == len(named_spins(found.network))
         lines.append(locked + (", passive" if spun else ""))
     return lines
@@ -217,7 +219,11 @@ def _displaced(found: Mobility, limb: str) -> list[str]:
     if pose is None or isinstance(pose, str):
         return [f"away from the reference configuration: {pose}"] if pose else []
     names = ", ".join(f"${sympy.latex(s)}$ of {joint}" for s, joint in zip(pose.displacements, pose.of, strict=True))
-    lines = [f"displaced by {names}, in axes that move with {pose.carried_by} (f ; m): {inline(pose.constraints)}"]
+    known = {limb.name: limb.constraints for limb in found.symbolic.limbs} if found.symbolic else {}
+    screws = f" (f ; m): {inline(pose.constraints)}"
+    if pose.constraints == known.get(limb) and not say_more(pose.constraints):
+        screws = ": the same"
+    lines = [f"displaced by {names}, in axes that move with {pose.carried_by}{screws}"]
     lines += [f"{locus.meaning} where {_zero(locus)}" for locus in conditions(pose.loci)]
     if pose.further:
         places = [f"{joint} at {_displacement(x, turns=str(s).startswith('theta'))}"
