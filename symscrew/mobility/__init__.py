@@ -71,6 +71,7 @@ if TYPE_CHECKING:
         mobility_text,
         mobility_values,
         sections,
+        signs_ahead,
     )
     from symscrew.mobility.finite import ClosureVariety, moved, named_spins
     from symscrew.mobility.instantaneous import BodyFreedoms, LimbMobility
@@ -181,6 +182,7 @@ __all__ = [
     "sampled_modes",
     "screw_class",
     "sections",
+    "signs_ahead",
     "space_lines",
     "space_values",
     "targets_of",

@@ -231,6 +231,8 @@ def as_lines(counts: FieldCounts) -> list[str]:
     )
     if counts.limbs:
         limbs = ", ".join(f"{m.name} {m.connectivity}" for m in counts.limbs)
+        if len(counts.limbs) > 1 and len({m.connectivity for m in counts.limbs}) == 1:
+            limbs = f"{counts.limbs[0].connectivity} each"
         lines.append(f"Connectivity of the limbs $S_Gi$: {limbs}")
     lines.append(
         f"Gogu: $r = {counts.rank}$, $M = sum f - r = {counts.mobility}$, connectivity of the platform $S_F = "

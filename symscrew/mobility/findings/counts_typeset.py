@@ -1,4 +1,4 @@
-"""The formulas of the field's counts, typed once between dollar signs: as LaTeX and MathML.
+"""The formulas of the field's counts and the letters of screws, typed once between dollar signs: as LaTeX and MathML.
 
 "$d (n - g - 1) + sum f = 3$" --words, numbers, signs--> d (n - g - 1) + \\sum f = 3, <math>...</math>
 """
@@ -15,12 +15,14 @@ WORDS = {
     "lambda": (r"\lambda", "<mi>&#x3BB;</mi>"),
     "nu": (r"\nu", "<mi>&#x3BD;</mi>"),
     "zeta": (r"\zeta", "<mi>&#x3B6;</mi>"),
+    "omega": (r"\omega", "<mi>&#x3C9;</mi>"),
     "*": (r"\cdot", "<mo>&#x22C5;</mo>"),
     "-": ("-", "<mo>&#x2212;</mo>"),
 }
 """What is typed -> (LaTeX, MathML) where these are not the letter itself."""
 BRACKETS = {"(": "prefix", ")": "postfix"}
-PARTS = re.compile(r"sum f|S_Gi|S_F|lambda|nu|zeta|\d+|\S")
+TWIST, WRENCH = "$(omega ; v)$", "$(f ; m)$"
+PARTS = re.compile(r"sum f|S_Gi|S_F|lambda|nu|zeta|omega|\d+|\S")
 
 
 def in_latex(line: str) -> str:
@@ -34,7 +36,7 @@ def in_latex(line: str) -> str:
 
 def typed_counts(lines: Iterable[str]) -> dict[str, str]:
     """LaTeX of every formula of the typed lines -> as it is typed."""
-    return {_latex(typed): typed for line in lines for typed in line.split("$")[1::2]}
+    return {_latex(typed): typed for line in (*lines, TWIST, WRENCH) for typed in line.split("$")[1::2]}
 
 
 def counts_as_mathml(lines: Iterable[str]) -> dict[str, str]:

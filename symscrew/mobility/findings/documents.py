@@ -83,11 +83,11 @@ def _with(fact: str, formulas: dict[str, str], words: Callable[[str], str]) -> s
 
 
 def mobility_latex(found: Mobility) -> str:
-    """A LaTeX document of the report."""
+    """A LaTeX document of the report, in outlines where that font is installed, lines of joint names not stretched."""
     lines = [r"\documentclass{article}", r"\usepackage[T1]{fontenc}", r"\usepackage{amsmath}",
-             r"\IfFileExists{lmodern.sty}{\usepackage{lmodern}}{}  % outlines, where the font is installed",
+             r"\IfFileExists{lmodern.sty}{\usepackage{lmodern}}{}",
              r"\usepackage[margin=28mm]{geometry}", r"\setlength{\emergencystretch}{3em}",
-             r"\raggedright  % lines of joint names would be stretched", r"\begin{document}",
+             r"\raggedright", r"\begin{document}",
              rf"\section*{{Mobility of {_escaped(found.mechanism.name)}}}"]  # fmt: skip
     about = (_escaped(found.mechanism.description), rf"\emph{{{_escaped(found.mechanism.source)}}}")
     said = (found.mechanism.description, found.mechanism.source)

@@ -14,7 +14,7 @@ import sympy
 
 from symscrew.mobility.field_counts import as_lines as counts_in_words
 from symscrew.mobility.findings.at_rest import resting_lines
-from symscrew.mobility.findings.counts_typeset import in_latex
+from symscrew.mobility.findings.counts_typeset import TWIST, WRENCH, in_latex
 from symscrew.mobility.findings.places import place_lines
 from symscrew.mobility.findings.planar_drives import lines_of_drives
 from symscrew.mobility.findings.typeset import inline, presentable, say_more, vanishing
@@ -26,6 +26,7 @@ from symscrew.mobility.symbols import conditions
 
 if TYPE_CHECKING:
     from symscrew.mobility.analysis import Mobility, Near
+    from symscrew.mobility.instantaneous import LimbMobility
     from symscrew.mobility.symbols import Locus
 
 MOST_CHANGES = 4
@@ -38,27 +39,13 @@ def sections(found: Mobility) -> list[tuple[str, list[str]]]:
     result = [("Mobility", _summary(found))]
     if lines := place_lines(found):
         result.append(("Configuration", lines))
-    symbolic = {limb.name: limb for limb in found.symbolic.limbs} if found.symbolic else {}
-    limbs: dict[tuple[str, ...], list[tuple[str, tuple[str, ...]]]] = {}
-    for limb in found.limbs:
-        lines = [f"{_count(len(limb.screws), 'joint freedom')}, {_count(len(limb.constraints.basis), 'constraint')}"]
-        lines += [describe_wrench(w) for w in limb.constraints.basis]
-        if limb.name in symbolic and say_more(symbolic[limb.name].constraints):
-            lines.append(f"in symbols (f ; m): {inline(symbolic[limb.name].constraints)}")
-        alike = {name: f"\0{k}\0" for k, name in enumerate(limb.joints)}
-        facts = (*lines, *_displaced(found, limb.name))
-        limbs.setdefault(tuple(_renamed(fact, alike) for fact in facts), []).append((limb.name, facts))
-    for same in limbs.values():
-        (name, facts), several = same[0], len(same) > 1
-        others = any(facts != further for _, further in same)
-        title = f"{'Limbs' if several else 'Limb'} {', '.join(name for name, _ in same)}"
-        result.append((title, [*facts, *([f"That is of {name}; likewise the others with their own joints"] * others)]))
+    result += _limbs(found)
     motion_type = found.platform.motion_type
     lines = [f"{_count(found.platform.dof, 'freedom')}, type {motion_type}{_meaning(motion_type)}"]
     lines += [describe_twist(t) for t in found.platform.freedoms.basis]
     of_platform = found.symbolic is not None and found.platform.body == found.mechanism.platform
     if found.symbolic is not None and of_platform and say_more(found.symbolic.freedoms):
-        lines.append(f"in symbols (omega ; v): {inline(found.symbolic.freedoms)}")
+        lines.append(f"in symbols {in_latex(TWIST)}: {inline(found.symbolic.freedoms)}")
     if found.without_symbols:
         lines.append(found.without_symbols)
     result.append((f"Freedoms of {found.platform.body}", lines))
@@ -85,6 +72,36 @@ def sections(found: Mobility) -> list[tuple[str, list[str]]]:
     if found.not_tried:
         result.append((NOT_TRIED, list(found.not_tried)))
     result.append(("How it was decided", [found.method, *found.finite.evidence]))
+    return result
+
+
+def _limbs(found: Mobility) -> list[tuple[str, list[str]]]:
+    """A section for all limbs with the same constraints; what differs away from the reference is said of each."""
+    symbolic = {limb.name: limb for limb in found.symbolic.limbs} if found.symbolic else {}
+    alike: dict[tuple[str, ...], list[tuple[LimbMobility, list[str]]]] = {}
+    for limb in found.limbs:
+        lines = [f"{_count(len(limb.screws), 'joint freedom')}, {_count(len(limb.constraints.basis), 'constraint')}"]
+        lines += [describe_wrench(w) for w in limb.constraints.basis]
+        if limb.name in symbolic and say_more(symbolic[limb.name].constraints):
+            lines.append(f"in symbols {in_latex(WRENCH)}: {inline(symbolic[limb.name].constraints)}")
+        further = _displaced(found, limb.name)
+        alike.setdefault((*lines, str(len(further))), []).append((limb, further))
+    result = []
+    for (*lines, _), same in alike.items():
+        likewise, own = False, list[str]()
+        for facts in zip(*(further for _, further in same), strict=True):
+            by_place = {
+                _renamed(fact, {joint: f"\0{k}\0" for k, joint in enumerate(limb.joints)})
+                for (limb, _), fact in zip(same, facts, strict=True)
+            }
+            if len(by_place) == 1:
+                own.append(facts[0])
+                likewise |= len(set(facts)) > 1
+            else:
+                own += [f"{limb.name}: {fact}" for (limb, _), fact in zip(same, facts, strict=True)]
+        said = f"Joints are those of {same[0][0].name}; likewise the others with their own"
+        title = f"Limb{'s' * (len(same) > 1)} {', '.join(limb.name for limb, _ in same)}"
+        result.append((title, [*lines, *own, *([said] * likewise)]))
     return result
 
 
@@ -220,7 +237,7 @@ def _displaced(found: Mobility, limb: str) -> list[str]:
         return [f"away from the reference configuration: {pose}"] if pose else []
     names = ", ".join(f"${sympy.latex(s)}$ of {joint}" for s, joint in zip(pose.displacements, pose.of, strict=True))
     known = {limb.name: limb.constraints for limb in found.symbolic.limbs} if found.symbolic else {}
-    screws = f" (f ; m): {inline(pose.constraints)}"
+    screws = f" {in_latex(WRENCH)}: {inline(pose.constraints)}"
     if pose.constraints == known.get(limb) and not say_more(pose.constraints):
         screws = ": the same"
     lines = [f"displaced by {names}, in axes that move with {pose.carried_by}{screws}"]
@@ -253,7 +270,7 @@ def _motions(found: Mobility) -> list[str]:
         if resting := [joint for joint, rate in zip(loops.joints, rates, strict=True) if rate == 0]:
             lines.append(f"at rest in it: {', '.join(resting)}")
     if loops.freedoms:
-        lines.append(f"{loops.body} moves by (omega ; v): {inline(loops.freedoms)}")
+        lines.append(f"{loops.body} moves by {in_latex(TWIST)}: {inline(loops.freedoms)}")
     return lines
 
 
