@@ -27,8 +27,8 @@ STYLE = (
 )
 
 
-MINUS = re.compile(r"(?<![\w.)])-(?=\d)")
-"""A minus before a number, not the hyphen of 3-RRR or of 1e-9."""
+MINUS = re.compile(r"(?<![\w.)])(?<!= )-(?=\d)")
+"""A minus before a number, not the hyphen of 3-RRR or of 1e-9, nor that of `q = -0.1`, which stands as it was typed."""
 TUPLE = re.compile(r"\([^\s()]+,(?: [^\s()]+[,;]){1,4} [^\s()]+\)")
 """Numbers in brackets, a point or a screw, which stay on one line."""
 
