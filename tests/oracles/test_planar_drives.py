@@ -81,4 +81,6 @@ def test_the_locus_of_a_planar_3_rrr_is_one_determinant() -> None:
 def test_counts_are_mathematics_in_documents_and_typed_in_text() -> None:
     found = analyse_mobility(planar(["RRR"] * 3, towards((7, 6))))
     assert r"$M = \sum f - r = 3$" in mobility_markdown(found) and "$S_{G_i}$" in mobility_markdown(found)
-    assert "M = sum f - r = 3," in mobility_text(found) and "$" not in mobility_text(found)
+    text = mobility_text(found)
+    assert "M = sum f - r = 3," in text and "$" not in text
+    assert "\nLimbs limb0, limb1, limb2\n" in text and "limb2: the screws of the limb become dependent where" in text
