@@ -53,6 +53,7 @@ if TYPE_CHECKING:
         mobility_text,
         mobility_values,
         sections,
+        signs_ahead,
     )
     from symscrew.mobility.finite import ClosureVariety, moved, named_spins
     from symscrew.mobility.instantaneous import BodyFreedoms, LimbMobility
@@ -145,6 +146,7 @@ __all__ = [
     "regular_ways",
     "screw_class",
     "sections",
+"signs_ahead",
     "studied_components",
     "targets_of",
     "verified",

@@ -41,6 +41,9 @@ GROUPS = {
 ROUNDING = CONTEXT.mpf(10) ** -27
 """Of the screws: what is smaller in a bracket is zero, as for ranks (`screw_systems.ZERO_BELOW`)."""
 
+MOST_TERMS = 4
+"""Loops whose numbers are added one by one; of more it is said how often each number occurs."""
+
 
 @dataclass(frozen=True)
 class LoopCount:
@@ -212,33 +215,51 @@ def _bracket(a: Screw, b: Screw) -> Row:
 
 
 def as_lines(counts: FieldCounts) -> list[str]:
-    """The formulas with their numbers, a line each."""
+    """The formulas with their numbers, a line each; typed between dollar signs, "sum f" and "S_Gi" being symbols."""
     n, g, f, q = counts.links, counts.joints, counts.freedoms, len(counts.loops)
     letter, p = (" - p", f" - {counts.couplings}") if counts.couplings else ("", "")
-    lines = [f"Kutzbach: 6 (n - g - 1) + sum f{letter} = 6 ({n} - {g} - 1) + {f}{p} = {counts.kutzbach}"]
-    lines[0] += f", with p = {counts.couplings} couplings" if counts.couplings else ""
+    lines = [f"Kutzbach: $6 (n - g - 1) + sum f{letter} = 6 ({n} - {g} - 1) + {f}{p} = {counts.kutzbach}$"]
+    lines[0] += f", with $p = {counts.couplings}$ couplings" if counts.couplings else ""
     if not q:
         return lines
     d, more = counts.order, letter.replace("-", "+")
     lines.append(
-        f"Modified Kutzbach: d (n - g - 1) + sum f{letter} + nu - zeta = "
+        f"Modified Kutzbach: $d (n - g - 1) + sum f{letter} + nu - zeta = "
         f"{d} ({n} - {g} - 1) + {f}{p} + {counts.redundant} - "
-        f"{counts.isolated} = {counts.modified}, with lambda = {counts.common} common constraints (d = 6 - lambda), "
-        f"nu = {counts.redundant} redundant, zeta = {counts.isolated} passive"
+        f"{counts.isolated} = {counts.modified}$, with $lambda = {counts.common}$ common constraints "
+        f"($d = 6 - lambda$), $nu = {counts.redundant}$ redundant, $zeta = {counts.isolated}$ passive"
     )
     if counts.limbs:
         limbs = ", ".join(f"{m.name} {m.connectivity}" for m in counts.limbs)
-        lines.append(f"Connectivity of the limbs S_Gi: {limbs}")
+        if len(counts.limbs) > 1 and len({m.connectivity for m in counts.limbs}) == 1:
+            limbs = f"{counts.limbs[0].connectivity} each"
+        lines.append(f"Connectivity of the limbs $S_Gi$: {limbs}")
     lines.append(
-        f"Gogu: r = {counts.rank}, M = sum f - r = {counts.mobility}, connectivity of the platform S_F = "
-        f"{counts.platform}, overconstraint N = 6 q{more} - r = {counts.overconstraint}, redundancy T = M - S_F = "
-        f"{counts.redundancy}"
+        f"Gogu: $r = {counts.rank}$, $M = sum f - r = {counts.mobility}$, connectivity of the platform $S_F = "
+        f"{counts.platform}$, overconstraint $N = 6 q{more} - r = {counts.overconstraint}$, redundancy "
+        f"$T = M - S_F = {counts.redundancy}$"
     )
     groups: dict[str, list[str]] = {}
     for loop in counts.loops:
         groups.setdefault(loop.group, []).append(loop.joint)
     named = "; ".join(f"{group} (closed by {', '.join(joints)})" for group, joints in groups.items())
-    lines.append(f"Groups of the loops: {named}; sum f{letter} - sum of their dimensions = {counts.by_groups}")
-    orders = " + ".join(str(loop.order) for loop in counts.loops)
-    lines.append(f"Waldron: orders of the loops {orders}, sum f{letter} - sum of orders = {counts.by_orders}")
+    dimensions, orders = ([getattr(loop, of) for loop in counts.loops] for of in ("dimension", "order"))
+    lines.append(
+        f"Groups of the loops: {named}; less their dimensions "
+        f"$sum f{letter} - {_total(dimensions)} = {f}{p} - {sum(dimensions)} = {counts.by_groups}$"
+    )
+    lines.append(
+        f"Waldron: less the orders of the loops "
+        f"$sum f{letter} - {_total(orders)} = {f}{p} - {sum(orders)} = {counts.by_orders}$"
+    )
     return lines
+
+
+def _total(numbers: Sequence[int]) -> str:
+    """A sum of a few numbers, or of how often each occurs."""
+    if len(numbers) == 1:
+        return str(numbers[0])
+    terms = [f"{k}" for k in numbers]
+    if len(numbers) > MOST_TERMS:
+        terms = [f"{numbers.count(k)} * {k}" for k in sorted(set(numbers), reverse=True)]
+    return f"({' + '.join(terms)})"

@@ -8,7 +8,7 @@ configuration (`symscrew.mobility.symbols`, drive_loci).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import asdict, dataclass, field
 from functools import cached_property
 from typing import Any
@@ -165,8 +165,11 @@ def as_values(found: Singularities) -> dict[str, Any]:
     return result
 
 
-def as_lines(found: Singularities) -> list[str]:
-    """One line for margins that say the same of several limbs or drives."""
+def as_lines(found: Singularities, limbs: Collection[str] | None = None) -> list[str]:
+    """One line for margins that say the same of several limbs or drives.
+
+    `limbs`: the names of those described, where a chain of the tree that is none of them is to be called so.
+    """
     if found.margins is None:
         return [f"Margins are not known here: {found.unknown}"]
     if not found.margins:
@@ -179,7 +182,11 @@ def as_lines(found: Singularities) -> list[str]:
     for (kind, _, value, _), group in alike.items():
         names = ", ".join(m.name for m in group)
         likewise = " (likewise the others)" if len(group) > 1 else ""
-        lines.append(f"{kind} ({names}): {value}, {_near(group[0])}{group[0].meaning}{likewise}")
+        unnamed = (
+            limbs is not None and kind == "limb" and group[0].name not in limbs
+        )  # a chain of the tree, named by what it ends at
+        meaning = group[0].meaning.replace("screws of", "screws of the chain to") if unnamed else group[0].meaning
+        lines.append(f"{'chain' if unnamed else kind} ({names}): {value}, {_near(group[0])}{meaning}{likewise}")
     return lines
 
 

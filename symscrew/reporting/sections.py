@@ -15,7 +15,7 @@ from symscrew.algebra import IDENTITY, Vector, cross, dot, scale
 from symscrew.description import Joint, Mechanism
 from symscrew.display import Progress
 from symscrew.kinematics import motion_screws
-from symscrew.mobility import Mobility, analyse_mobility, formulas, key_figures, mathml, sections
+from symscrew.mobility import Mobility, analyse_mobility, formulas, key_figures, mathml, sections, signs_ahead
 from symscrew.model import Model
 from symscrew.program import Iteration
 from symscrew.reporting import margin_maps
@@ -256,6 +256,7 @@ def _screw(screw: sympy.Matrix, mechanism: Mechanism) -> tuple[str, str]:
     if sum(len(sympy.latex(c)) for c in entries) > LONG_SCREW:
         entries = [sympy.Float(f"{float(mechanism.number(c)):.6g}") if c else c for c in entries]
         entries = [sympy.Integer(c) if c == int(c) else c for c in entries]
+    entries = [signs_ahead(c) for c in entries]
     text = (
         r"\left("
         + ", ".join(map(sympy.latex, entries[:3]))

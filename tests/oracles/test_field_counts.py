@@ -1,12 +1,18 @@
-"""The counts of the field: mobility, overconstraint, lambda, nu, zeta, connectivities, by hand and by other code.
+"""The counts of the field: mobility, overconstraint, lambda, nu, zeta, connectivities: as read, by hand, by other code.
 
-Mobility and redundant constraints of the mechanisms of `data/mobility.json` are those of their entries. lambda, nu
-and zeta are in `EXPECTED`, written down from memory of the field: none of the publications that it names was opened for
-it, so nothing here is a comparison with their tables. What holds the numbers is another way to each:
+Mobility and redundant constraints of the mechanisms of `data/mobility.json` are those of their entries. Where the
+numbers come from:
 
+    READ         compared number by number with texts that were opened, `TEXTS`: formula, mobility, passive freedoms
+    EXPECTED     lambda, nu, zeta written down from memory of the field; the publications that it names were not opened
     lambda, nu   of all: `counted_again` from the joint screws, by twists of the bodies instead of loops, in doubles
-    lambda, nu   of those in `WRENCHES`: worked by hand, `by_hand`
-    zeta, group  recalled; zeta is 0 but for bars that spin between two balls, and a link with two coaxial hinges
+    lambda, nu   of those in `WRENCHES`: worked by hand, `by_hand`; of those in `HAND`: bodies, joints, freedoms and
+                 mobility counted by hand, and from them nu
+    zeta, group  recalled, but for rssr, delta_4s and 3-SRS, whose passive freedoms were read; zeta is 0 but for bars
+                 that spin between two balls, and a link with two coaxial hinges
+
+Of G. Gogu, Mech. Mach. Theory 40 (2005), and Z. Huang, Q. Li, H. Ding (2013), ch. 3, the first page alone could be
+read, which has no numbers: nothing here is a comparison with their tables.
 
 `WRENCHES` has the constraints of every limb as a person types them from a drawing, forces through a point and couples;
 `by_hand` counts with these as Huang, Li, Ding (2013) do:
@@ -27,10 +33,11 @@ import pytest
 from support.analysed import analysed
 from support.further_mechanisms import CASES, loop
 from support.marks import slow
-from support.parallel_mechanisms import LIMBS, four_ruu, of_limbs
+from support.parallel_mechanisms import LIMBS, THIRDS, four_ruu, of_limbs, turned
 from support.reference_mechanisms import ENTRIES, build
 from sympy import Rational
 
+from symscrew.description.builder import MechanismBuilder
 from symscrew.description.mechanism import Mechanism
 from symscrew.mobility import Mobility, analyse_mobility, mobility_text, mobility_values, verify
 from symscrew.mobility.field_counts import FieldCounts
@@ -74,6 +81,41 @@ EXPECTED = {
     "three-limb sarrus": (1, 2, 0, "D", "Sarrus 1853"),
 }  # fmt: skip
 """Mechanism -> (lambda, nu, zeta, group of a loop, why, with who is recalled to have treated it, not opened)."""
+TEXTS = {
+    "handbook": "Mechanism Theory, A Working Reference (handbook of KREAMET, public, 2026), 5.1 to 5.6",
+    "textbook": "programs of a public textbook of robotics, section 11.2, program 11.2.1 (in Chinese, 2026)",
+    "notes": "J. Smith, Degrees of Freedom (robotics notes, 2025), Worked Example and Over-Constrained Mechanisms",
+    "exercise": "Gloogger, Modern Robotics Notes, exercise 2.7 (a); MENG 5930 quiz 2 (2023), question 2: answer 9",
+    "article": "S. Y. Liu, Y. Chen, Mech. Mach. Theory 44 (2009) 1950-1963, section 1: seven links for mobility one",
+    "readme": "sarrus/readme of shift-models: instantaneous mobility one",
+}
+"""Texts that were opened for the numbers of `READ`, by the names used there."""
+READ: dict[str, list[tuple[str, dict[str, int]]]] = {
+    "planar_4bar": [("handbook", {"planar": 1}), ("textbook", {"planar": 1, "spatial": -2, "M": 1}),
+                    ("notes", {"spatial": -2})],
+    "slider_crank": [("textbook", {"planar": 1, "M": 1})],
+    "planar_5bar": [("handbook", {"M": 2}), ("textbook", {"planar": 2, "M": 2})],
+    "andrews_7body": [("handbook", {"n": 8, "g": 10, "planar": 1})],
+    "threebar_parallel_equal": [("handbook", {"planar": 0}), ("textbook", {"planar": 0, "M": 1})],
+    "bennett": [("handbook", {"spatial": -2, "M": 1}), ("textbook", {"spatial": -2, "M": 1, "r": 3}),
+                ("notes", {"spatial": -2, "M": 1})],
+    "sarrus": [("readme", {"M": 1})],
+    "rssr": [("handbook", {"n": 4, "spatial": 2, "zeta": 1, "modified": 1})],
+    "general_7r": [("article", {"n": 7, "spatial": 1})],
+    "stewart_6ups": [("textbook", {"spatial": 6, "M": 6}), ("notes", {"n": 14, "g": 18, "f": 36, "spatial": 6})],
+    "delta_4s": [("textbook", {"n": 11, "g": 15, "f": 39, "spatial": 9, "M": 9, "zeta": 6, "S_F": 3})],
+    "panda_7r": [("notes", {"n": 8, "g": 7, "spatial": 7, "M": 7})],
+    "serial_6r_wrist": [("textbook", {"spatial": 6, "M": 6}), ("notes", {"n": 7, "g": 6, "spatial": 6})],
+    "3-SRS": [("exercise", {"n": 8, "g": 9, "f": 21, "spatial": 9})],
+}  # fmt: skip
+"""Mechanism -> (text, numbers as it states them). `planar` is 3 (n - g - 1) + f, `spatial` with 6 for 3."""
+HAND = {
+    "peaucellier": (8, 10, 10, 1), "goldberg_5r": (5, 5, 5, 1),
+    "bricard_box": (6, 6, 6, 1), "RCCC": (4, 4, 7, 1), "delassus_4h": (4, 4, 4, 1), "rssr": (4, 4, 8, 2),
+    "stewart_6sps": (14, 18, 42, 12), "delta_4s": (11, 15, 39, 9), "3-RRC": (8, 9, 12, 3),
+    "three-limb sarrus": (8, 9, 9, 1),
+}  # fmt: skip
+"""Ten taken at random and counted by hand: n bodies with the ground, g joints, f freedoms, M that move."""
 QUICK = ("planar_4bar", "bennett", "sarrus", "rssr", "dixon", "tripteron_cpm", "3rps")
 """Analysed in every run: lambda 3, 1 and 0, a passive freedom, redundant constraints in the plane and in space, a
 platform with none. `counted_again` is quick and has all."""
@@ -163,8 +205,21 @@ def counted_again(network: Network) -> tuple[int, int]:
     return common, too_many - common * (len(network.edges) - len(bodies))
 
 
+def three_srs() -> Mechanism:
+    """Three arms of ball, hinge and ball that hold one plate."""
+    builder = MechanismBuilder("three_srs", platform="plate").body("plate")
+    for k, place in enumerate(THIRDS):
+        builder.body(f"upper{k}").body(f"fore{k}")
+        foot, elbow, wrist = (turned(p, place) for p in ([5, 0, 0], [6, 1, 3], [2, 0, 4]))
+        builder.joint(f"S{k}", "S", parent="base", child=f"upper{k}", point=foot)
+        builder.joint(f"R{k}", "R", parent=f"upper{k}", child=f"fore{k}", point=elbow, axes=[turned([0, 1, 0], place)])
+        builder.joint(f"T{k}", "S", parent=f"fore{k}", child="plate", point=wrist)
+        builder.limb(f"arm{k}", joints=[f"S{k}", f"R{k}", f"T{k}"])
+    return builder.build()
+
+
 MADE: dict[str, Callable[[], Mechanism]] = {
-    "4-RUU": four_ruu, **{name: (lambda name=name: of_limbs(name)) for name in LIMBS},
+    "4-RUU": four_ruu, "3-SRS": three_srs, **{name: (lambda name=name: of_limbs(name)) for name in LIMBS},
 }  # fmt: skip
 
 
@@ -200,6 +255,25 @@ def test_formulas_of_the_field_give_the_mobility_of_the_entry(name: str) -> None
     assert (counts.overconstraint, counts.redundancy) == (expected["overconstraints"], expected["internal_freedoms"])
     assert counts.by_limbs in (None, counts.redundant)
     assert counts.platform == expected["platform"]["dof"]  # connectivity S_F
+
+
+@pytest.mark.parametrize("name", READ)
+def test_counts_are_those_of_the_texts_that_were_read(name: str) -> None:
+    c = counts_of(name)
+    ours = {"n": c.links, "g": c.joints, "f": c.freedoms, "M": c.mobility, "r": c.rank, "zeta": c.isolated,
+            "planar": 3 * (c.links - c.joints - 1) + c.freedoms, "spatial": c.kutzbach, "modified": c.modified,
+            "S_F": c.platform}  # fmt: skip
+    for text, stated in READ[name]:
+        assert text in TEXTS and stated == {what: ours[what] for what in stated}
+
+
+@pytest.mark.parametrize("name", HAND)
+def test_counts_by_hand_leave_the_redundant_constraints(name: str) -> None:
+    network = network_of(mechanism(name))
+    n, g, f, mobility = HAND[name]
+    assert (len(network.bodies), len(network.edges), network.freedoms) == (n, g, f)
+    common, redundant = EXPECTED[name][:2]
+    assert redundant == mobility - f - (6 - common) * (n - g - 1)
 
 
 @pytest.mark.parametrize("name", EXPECTED)

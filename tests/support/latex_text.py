@@ -21,6 +21,7 @@ COMMANDS = {
     ),
     *("textless", "left", "right", "frac", "sqrt", "sin", "cos", "tan", "cdot", "quad", "theta", "phi", "psi"),
     *("alpha", "beta", "gamma", "delta", "omega", "pi", "operatorname", "Delta"),
+    *("IfFileExists", "raggedright", "emph", "itemsep", "mbox", "sum", "nu", "zeta", "lambda"),
 }
 """Of LaTeX with amsmath, as far as the documents use them: an unknown one is looked at by a person first."""
 TOKEN = re.compile(r"\\[A-Za-z]+\*?|\\.|[{}$&#_^%~]", re.S)

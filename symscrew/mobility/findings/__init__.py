@@ -7,7 +7,7 @@ Mobility --in_words, typeset--> lines with formulas --documents--> text, Markdow
 from symscrew.mobility.findings.documents import mobility_latex, mobility_markdown, mobility_page, mobility_text
 from symscrew.mobility.findings.in_words import key_figures, sections
 from symscrew.mobility.findings.json_values import mobility_values
-from symscrew.mobility.findings.typeset import formulas, mathml
+from symscrew.mobility.findings.typeset import formulas, mathml, signs_ahead
 
 __all__ = [
     "formulas",
@@ -19,4 +19,5 @@ __all__ = [
     "mobility_text",
     "mobility_values",
     "sections",
+    "signs_ahead",
 ]

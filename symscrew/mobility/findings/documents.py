@@ -23,8 +23,14 @@ STYLE = (
     "body{font:17px/1.45 'Latin Modern Roman','STIX Two Text',Georgia,serif;max-width:46em;margin:2.5em auto}"
     "h1{font-size:1.5em;font-weight:normal}h2{font-size:1.1em;margin:1.3em 0 .3em}ul{margin:.2em 0;padding-left:1.3em}"
     "table{border-collapse:collapse;border-top:1.5px solid;border-bottom:1.5px solid}td{padding:.1em .8em}"
-    "td+td{text-align:right}math{font-size:1.05em}"
+    "td+td{text-align:right}math{font-size:1.05em}li span{white-space:nowrap}"
 )
+
+
+MINUS = re.compile(r"(?<![\w.)])(?<!= )-(?=\d)")
+"""A minus before a number, not the hyphen of 3-RRR or of 1e-9, nor that of `q = -0.1`, which stands as it was typed."""
+TUPLE = re.compile(r"\([^\s()]+,(?: [^\s()]+[,;]){1,4} [^\s()]+\)")
+"""Numbers in brackets, a point or a screw, which stay on one line."""
 
 
 def mobility_text(found: Mobility, *, full: bool = True) -> str:
@@ -59,13 +65,13 @@ def mobility_page(found: Mobility) -> str:
              f"</head><body>\n<h1>Mobility of {name}</h1>",
              f"<p>{html.escape(found.mechanism.description)}<br><i>{source}</i></p>", "<table>"]  # fmt: skip
     parts += [
-        f"<tr><td>{html.escape(what)}</td><td>{html.escape(value)}</td></tr>" for what, value in key_figures(found)
+        f"<tr><td>{html.escape(what)}</td><td>{_html_words(value)}</td></tr>" for what, value in key_figures(found)
     ]
     parts.append("</table>")
     known = formulas(found)
     for heading, facts in sections(found):
         parts.append(f"<h2>{html.escape(heading)}</h2>\n<ul>")
-        parts += [f"<li>{_with(fact, known, html.escape)}</li>" for fact in facts]
+        parts += [f"<li>{_with(fact, known, _html_words)}</li>" for fact in facts]
         parts.append("</ul>")
     return "\n".join([*parts, "</body></html>\n"])
 
@@ -77,15 +83,20 @@ def _with(fact: str, formulas: dict[str, str], words: Callable[[str], str]) -> s
 
 
 def mobility_latex(found: Mobility) -> str:
-    """A LaTeX document of the report."""
+    """A LaTeX document of the report, in outlines where that font is installed, lines of joint names not stretched."""
     lines = [r"\documentclass{article}", r"\usepackage[T1]{fontenc}", r"\usepackage{amsmath}",
-             r"\usepackage[margin=28mm]{geometry}", r"\setlength{\emergencystretch}{3em}", r"\begin{document}",
+             r"\IfFileExists{lmodern.sty}{\usepackage{lmodern}}{}",
+             r"\usepackage[margin=28mm]{geometry}", r"\setlength{\emergencystretch}{3em}",
+             r"\raggedright", r"\begin{document}",
              rf"\section*{{Mobility of {_escaped(found.mechanism.name)}}}"]  # fmt: skip
+    about = (_escaped(found.mechanism.description), rf"\emph{{{_escaped(found.mechanism.source)}}}")
+    said = (found.mechanism.description, found.mechanism.source)
+    lines += [r" \\ ".join(text for text, given in zip(about, said, strict=True) if given)]
     lines += [r"\begin{center}\begin{tabular}{lr}\hline"]
     lines += [rf"{_escaped(what)} & {_escaped(value)} \\" for what, value in key_figures(found)]
     lines += [r"\hline\end{tabular}\end{center}"]
     for heading, facts in sections(found):
-        lines += [rf"\subsection*{{{_escaped(heading)}}}", r"\begin{itemize}"]
+        lines += [rf"\subsection*{{{_escaped(heading)}}}", r"\begin{itemize}\setlength{\itemsep}{0pt}"]
         for fact in facts:
             pieces = re.split(r"(\$.*?\$)", fact)
             lines.append(r"\item " + "".join(p if p.startswith("$") else _escaped(p) for p in pieces))
@@ -95,4 +106,10 @@ def mobility_latex(found: Mobility) -> str:
 
 def _escaped(words: str) -> str:
     marks = {"\\": r"\textbackslash{}", "^": r"\^{}", "~": r"\~{}", "|": r"\textbar{}", "<": r"\textless{}"}
-    return "".join(marks.get(c, "\\" + c if c in "_%&#${}" else c) for c in words)
+    escaped = "".join(marks.get(c, "\\" + c if c in "_%&#${}" else c) for c in words)
+    return TUPLE.sub(r"\\mbox{\g<0>}", MINUS.sub("$-$", escaped))
+
+
+def _html_words(words: str) -> str:
+    escaped = MINUS.sub("\N{MINUS SIGN}", html.escape(words))
+    return TUPLE.sub(r"<span>\g<0></span>", escaped)

@@ -14,8 +14,10 @@ import sympy
 
 from symscrew.mobility.field_counts import as_lines as counts_in_words
 from symscrew.mobility.findings.at_rest import resting_lines
+from symscrew.mobility.findings.counts_typeset import TWIST, WRENCH, in_latex
 from symscrew.mobility.findings.places import place_lines
-from symscrew.mobility.findings.typeset import inline, presentable, vanishing
+from symscrew.mobility.findings.planar_drives import lines_of_drives
+from symscrew.mobility.findings.typeset import inline, presentable, say_more, vanishing
 from symscrew.mobility.finite import lone_pairs, named_spins
 from symscrew.mobility.motions import branch_lines
 from symscrew.mobility.screw_text import describe_twist, describe_wrench
@@ -24,6 +26,7 @@ from symscrew.mobility.symbols import conditions
 
 if TYPE_CHECKING:
     from symscrew.mobility.analysis import Mobility, Near
+    from symscrew.mobility.instantaneous import LimbMobility
     from symscrew.mobility.symbols import Locus
 
 MOST_CHANGES = 4
@@ -36,26 +39,13 @@ def sections(found: Mobility) -> list[tuple[str, list[str]]]:
     result = [("Mobility", _summary(found))]
     if lines := place_lines(found):
         result.append(("Configuration", lines))
-    symbolic = {limb.name: limb for limb in found.symbolic.limbs} if found.symbolic else {}
-    limbs: dict[tuple[str, ...], list[tuple[str, tuple[str, ...]]]] = {}
-    for limb in found.limbs:
-        lines = [f"{_count(len(limb.screws), 'joint freedom')}, {_count(len(limb.constraints.basis), 'constraint')}"]
-        lines += [describe_wrench(w) for w in limb.constraints.basis]
-        if limb.name in symbolic and symbolic[limb.name].constraints:
-            lines.append(f"in symbols (f ; m): {inline(symbolic[limb.name].constraints)}")
-        alike = {name: f"\0{k}\0" for k, name in enumerate(limb.joints)}
-        facts = (*lines, *_displaced(found, limb.name))
-        limbs.setdefault(tuple(_renamed(fact, alike) for fact in facts), []).append((limb.name, facts))
-    for same in limbs.values():
-        (name, facts), several = same[0], len(same) > 1
-        others = any(facts != further for _, further in same)
-        title = f"{'Limbs' if several else 'Limb'} {', '.join(name for name, _ in same)}"
-        result.append((title, [*facts, *([f"That is of {name}; likewise the others with their own joints"] * others)]))
+    result += _limbs(found)
     motion_type = found.platform.motion_type
     lines = [f"{_count(found.platform.dof, 'freedom')}, type {motion_type}{_meaning(motion_type)}"]
     lines += [describe_twist(t) for t in found.platform.freedoms.basis]
-    if found.symbolic is not None and found.platform.body == found.mechanism.platform and found.symbolic.freedoms:
-        lines.append(f"in symbols (omega ; v): {inline(found.symbolic.freedoms)}")
+    of_platform = found.symbolic is not None and found.platform.body == found.mechanism.platform
+    if found.symbolic is not None and of_platform and say_more(found.symbolic.freedoms):
+        lines.append(f"in symbols {in_latex(TWIST)}: {inline(found.symbolic.freedoms)}")
     if found.without_symbols:
         lines.append(found.without_symbols)
     result.append((f"Freedoms of {found.platform.body}", lines))
@@ -68,11 +58,11 @@ def sections(found: Mobility) -> list[tuple[str, list[str]]]:
         )
     if not found.limbs and found.network.chords and (lines := _motions(found)):
         result.append(("Motions of the loops in symbols", lines))
-    if found.loci:
-        result.append(("Where it degenerates", _loci(found.loci)))
-    if lines := as_lines(found.singularities):
+    if lines := [*_loci(found.loci), *lines_of_drives(found)]:
+        result.append(("Where it degenerates", lines))
+    if lines := as_lines(found.singularities, found.mechanism.limbs):
         result.append(("How far from singularities (0 at one)", lines))
-    result.append(("In the field's words", counts_in_words(found.counts)))
+    result.append(("In the field's words", [in_latex(line) for line in counts_in_words(found.counts)]))
     if found.redundant.count:
         result.append(("Redundant constraints", _redundant(found)))
     if found.near is not None:
@@ -82,6 +72,36 @@ def sections(found: Mobility) -> list[tuple[str, list[str]]]:
     if found.not_tried:
         result.append((NOT_TRIED, list(found.not_tried)))
     result.append(("How it was decided", [found.method, *found.finite.evidence]))
+    return result
+
+
+def _limbs(found: Mobility) -> list[tuple[str, list[str]]]:
+    """A section for all limbs with the same constraints; what differs away from the reference is said of each."""
+    symbolic = {limb.name: limb for limb in found.symbolic.limbs} if found.symbolic else {}
+    alike: dict[tuple[str, ...], list[tuple[LimbMobility, list[str]]]] = {}
+    for limb in found.limbs:
+        lines = [f"{_count(len(limb.screws), 'joint freedom')}, {_count(len(limb.constraints.basis), 'constraint')}"]
+        lines += [describe_wrench(w) for w in limb.constraints.basis]
+        if limb.name in symbolic and say_more(symbolic[limb.name].constraints):
+            lines.append(f"in symbols {in_latex(WRENCH)}: {inline(symbolic[limb.name].constraints)}")
+        further = _displaced(found, limb.name)
+        alike.setdefault((*lines, str(len(further))), []).append((limb, further))
+    result = []
+    for (*lines, _), same in alike.items():
+        likewise, own = False, list[str]()
+        for facts in zip(*(further for _, further in same), strict=True):
+            by_place = {
+                _renamed(fact, {joint: f"\0{k}\0" for k, joint in enumerate(limb.joints)})
+                for (limb, _), fact in zip(same, facts, strict=True)
+            }
+            if len(by_place) == 1:
+                own.append(facts[0])
+                likewise |= len(set(facts)) > 1
+            else:
+                own += [f"{limb.name}: {fact}" for (limb, _), fact in zip(same, facts, strict=True)]
+        said = f"Joints are those of {same[0][0].name}; likewise the others with their own"
+        title = f"Limb{'s' * (len(same) > 1)} {', '.join(limb.name for limb, _ in same)}"
+        result.append((title, [*lines, *own, *([said] * likewise)]))
     return result
 
 
@@ -168,7 +188,7 @@ def _summary(found: Mobility) -> list[str]:
         lines.append(found.nearly_singular)
     lines += found.nearly_special
     if found.dof_drives_locked is not None:
-        locked = f"{_count(found.dof_drives_locked, 'freedom')} left with all drives locked"
+        locked = f"{_count(found.dof_drives_locked, 'freedom').capitalize()} left with all drives locked"
         spun = found.dof_drives_locked and found.dof_drives_locked == len(named_spins(found.network))
         lines.append(locked + (", passive" if spun else ""))
     return lines
@@ -216,7 +236,11 @@ def _displaced(found: Mobility, limb: str) -> list[str]:
     if pose is None or isinstance(pose, str):
         return [f"away from the reference configuration: {pose}"] if pose else []
     names = ", ".join(f"${sympy.latex(s)}$ of {joint}" for s, joint in zip(pose.displacements, pose.of, strict=True))
-    lines = [f"displaced by {names}, in axes that move with {pose.carried_by} (f ; m): {inline(pose.constraints)}"]
+    known = {limb.name: limb.constraints for limb in found.symbolic.limbs} if found.symbolic else {}
+    screws = f" {in_latex(WRENCH)}: {inline(pose.constraints)}"
+    if pose.constraints == known.get(limb) and not say_more(pose.constraints):
+        screws = ": the same"
+    lines = [f"displaced by {names}, in axes that move with {pose.carried_by}{screws}"]
     lines += [f"{locus.meaning} where {_zero(locus)}" for locus in conditions(pose.loci)]
     if pose.further:
         places = [f"{joint} at {_displacement(x, turns=str(s).startswith('theta'))}"
@@ -246,7 +270,7 @@ def _motions(found: Mobility) -> list[str]:
         if resting := [joint for joint, rate in zip(loops.joints, rates, strict=True) if rate == 0]:
             lines.append(f"at rest in it: {', '.join(resting)}")
     if loops.freedoms:
-        lines.append(f"{loops.body} moves by (omega ; v): {inline(loops.freedoms)}")
+        lines.append(f"{loops.body} moves by {in_latex(TWIST)}: {inline(loops.freedoms)}")
     return lines
 
 

@@ -5,11 +5,14 @@ Mobility --expressions--> LaTeX between dollar signs in every line --formulas, t
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import sympy
 
+from symscrew.mobility.field_counts import as_lines
+from symscrew.mobility.findings.counts_typeset import counts_as_mathml, typed_counts
 from symscrew.mobility.symbols import conditions
 
 if TYPE_CHECKING:
@@ -17,9 +20,11 @@ if TYPE_CHECKING:
     from symscrew.mobility.symbols import Vector
 
 LONG = 100
-"""Letters of LaTeX that fit a line of a document: a longer screw is written as a column, a longer sum in pieces between
-which a line may end."""
+"""Letters of LaTeX that fit a line of a document: a longer sum is written in pieces between which a line may end."""
 
+ROW = 80
+"""Letters of a screw as it is typed that fit half a line of a document, where words stand before it: a longer one is
+written as a column."""
 
 LONGEST_NUMBER = 10**9
 """Numerators and denominators beyond this are written as decimals of six digits: nobody reads or pastes them. The JSON
@@ -107,10 +112,19 @@ def inline(vectors: Sequence[Vector]) -> str:
     return ", ".join("$" + screw_latex(shown(vector)) + "$" for vector in vectors)
 
 
+def say_more(vectors: Sequence[Vector]) -> bool:
+    """Whether screws in symbols say more than their numbers: parameters, or roots."""
+    return any(not c.is_Rational for vector in vectors for c in shown(vector))
+
+
+def _is_column(vector: Vector) -> bool:
+    return sum(len(str(c)) for c in vector) > ROW
+
+
 def screw_latex(vector: Vector) -> str:
     """One screw: (omega ; v) or (f ; m) in a row, or in a column where it is long."""
     texts = [sympy.latex(c) for c in vector]
-    if sum(map(len, texts)) > LONG:
+    if _is_column(vector):
         return r"\begin{pmatrix}" + r" \\ ".join(texts) + r"\end{pmatrix}"
     return r"\left(" + ", ".join(texts[:3]) + r";\; " + ", ".join(texts[3:]) + r"\right)"
 
@@ -143,7 +157,7 @@ def typed_formulas(found: Mobility) -> dict[str, str]:
     result = {screw_latex(v): f"({', '.join(map(typed, v[:3]))}; {', '.join(map(typed, v[3:]))})" for v in vectors}
     result.update({f"{sympy.latex(e)} = 0": f"{typed(e)} = 0" for e in loci})
     result.update({sympy.latex(e): typed(e) for e in single})
-    return result
+    return result | typed_counts(as_lines(found.counts))
 
 
 def mathml(expression: sympy.Expr) -> str:
@@ -159,6 +173,7 @@ def _presented(expression: sympy.Expr) -> str:
     from sympy.printing.mathml import mathml as printed
 
     text = str(printed(expression, printer="presentation")).replace("<mo>-</mo>", "<mo>&#x2212;</mo>")
+    text = re.sub(r"<mn>-([^<]*)</mn>", r"<mn>&#x2212;\1</mn>", text)
     text = text.replace("<mo>(</mo>", f"{OPENING}(</mo>").replace("<mo>)</mo>", f"{CLOSING})</mo>")
     for function in ("sin", "cos"):
         text = text.replace(f"<mi>{function}</mi>", f'<mspace width="0.15em"/><mi>{function}</mi>')
@@ -171,7 +186,7 @@ def formulas(found: Mobility) -> dict[str, str]:
     result: dict[str, str] = {}
     for vector in vectors:
         cells = [_presented(c) for c in vector]
-        if sum(len(sympy.latex(c)) for c in vector) > LONG:
+        if _is_column(vector):
             rows = "".join(f"<mtr><mtd>{cell}</mtd></mtr>" for cell in cells)
             result[screw_latex(vector)] = _fenced(f"<mtable>{rows}</mtable>")
             continue
@@ -180,7 +195,7 @@ def formulas(found: Mobility) -> dict[str, str]:
     for expression in loci:
         result[f"{sympy.latex(expression)} = 0"] = _equation(expression)
     result.update({sympy.latex(e): f"<math>{_presented(e)}</math>" for e in single})
-    return result
+    return result | counts_as_mathml(as_lines(found.counts))
 
 
 def _fenced(inside: str) -> str:

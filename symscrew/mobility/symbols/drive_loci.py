@@ -4,6 +4,9 @@ With drives locked, a limb also gives the wrenches reciprocal to its passive scr
 six wrenches of all limbs vanish, a freedom is left.
 
     limbs --reciprocal to passive screws--> wrenches --determinants of six--> common factors = 0
+
+Limbs that share constraints give them again and again: in the plane all give the force across it and two couples. A
+wrench that is a sum of others with numbers as factors goes first, since determinants with it are sums of those without.
 """
 
 from __future__ import annotations
@@ -12,6 +15,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations
 from math import comb
+from typing import Any
 
 import sympy
 
@@ -28,6 +32,9 @@ LARGEST_LOCUS = 40
 MOST_MINORS = 60
 """Determinants of six wrenches that are looked at: all of up to eight wrenches (28) and of hardly more. Each costs up
 to 720 products of polynomials; beyond it no locus is looked for, and the result says so."""
+
+Key = tuple[int, tuple[int, ...]]
+"""(component of a wrench, powers of the generators)."""
 
 
 @dataclass(frozen=True)
@@ -75,6 +82,7 @@ def _actuation_loci(work: SymbolicScrews, mechanism: Mechanism, driven: Sequence
             own = [d for d in locked if d[0] in limb.joints]
             wrenches += work.of_limb(name, own).wrenches if own else bound[name]
         label = "all drives" if locked == tuple(driven) else " ".join(_label(mechanism, *d) for d in locked)
+        wrenches = _without_combinations(wrenches)
         count = comb(len(wrenches), 6)
         if count > MOST_MINORS:
             not_tried.append(f"actuation loci with {label} locked: {count} determinants are more than {MOST_MINORS}")
@@ -98,6 +106,23 @@ def _actuation_loci(work: SymbolicScrews, mechanism: Mechanism, driven: Sequence
 
 def _label(mechanism: Mechanism, joint: str, freedom: int) -> str:
     return joint if len(mechanism.joints[joint].driven) == 1 and freedom == 0 else f"{joint}.{freedom}"
+
+
+def _without_combinations(wrenches: Sequence[list[Poly]]) -> list[list[Poly]]:
+    """The first wrenches of which all are sums with rational factors: their determinants of six generate all."""
+    kept, rows = [], list[tuple[Key, dict[Key, Any]]]()
+    for wrench in wrenches:
+        row = {(k, monomial): value for k, part in enumerate(wrench) for monomial, value in part.terms() if value}
+        for pivot, other in rows:
+            if factor := row.get(pivot):
+                for key, value in other.items():
+                    row[key] = row.get(key, 0) - factor * value
+        row = {key: value for key, value in row.items() if value}
+        if row:
+            pivot, lead = next(iter(row.items()))
+            rows.append((pivot, {key: value / lead for key, value in row.items()}))
+            kept.append(wrench)
+    return kept
 
 
 def _common_factors(work: SymbolicScrews, wrenches: Sequence[list[Poly]]) -> tuple[list[Poly], bool]:
