@@ -8,8 +8,8 @@ vector of arguments), and it makes the arrays of the results by NumPy's `PyArray
 stay for all versions of Python 3.10 and NumPy, so no header of either is needed to compile it. What it calls of them
 is a table of addresses, which it finds in the bytes object that is its `self`: nothing is linked, there is no state.
 
-None is returned for arguments that are not arrays (states, entries) or (entries) of float64 of their sizes, for a
-single state in an array of several, and where there is no memory for a block: others know what to say.
+None is returned for arguments that are not arrays (states, entries) or (entries) of float64 of their sizes, for no
+state at all, and where there is no memory for a block: others know what to say.
 """
 
 from __future__ import annotations
@@ -124,7 +124,7 @@ static void *SYMBOL_call(void *self, void *const *given, ptrdiff_t number)
     }
     if (first != NULL) {
         count = (size_t)first->shape[0];
-        if (count < 2) {
+        if (count < 1) {
             return nothing(python);
         }
     }
