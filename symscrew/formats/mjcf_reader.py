@@ -39,6 +39,7 @@ from symscrew.formats.mjcf_rotors import rotors
 from symscrew.formats.mjcf_settings import FIXED, ORIENTATIONS
 from symscrew.formats.mjcf_transmissions import Transmissions, add_pulleys, tendon_forces, transmissions
 from symscrew.formats.mjcf_weights import carry
+from symscrew.formats.near_words import note_near_words
 from symscrew.formats.open_loops import Closing
 from symscrew.formats.rigid_displacements import ZERO, Pose, Real, length, minus, real
 from symscrew.formats.safe_xml import Element, attribute, check_attributes, elements, label, number, numbers
@@ -49,6 +50,14 @@ WITHOUT_MECHANICS = ("size", "visual", "statistic", "custom", "asset", "contact"
 WITH_INFLUENCE = ("deformable", "extension")
 PASSIVE_PLUGINS = ("mujoco.sensor.", "mujoco.sdf.")
 """Plugins that make sensors and shapes; of a body that takes its inertia from such a shape the geom is refused."""
+WORDS = {
+    "mesh": (
+        "name", "class", "file", "vertex", "face", "refpos", "refquat", "scale", "inertia", "maxhullvert",
+    ),
+    "text": ("name", "data"),
+}  # fmt: skip
+"""Attributes that are read of elements whose others are left out, for those that are nearly one of these."""
+PARTS = {"asset": ("mesh", "hfield", "model"), "custom": ("text",), "default": ("default", "mesh", "tendon")}
 WORLD = "world"
 
 
@@ -69,6 +78,7 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
 
     def prepared(given: Element) -> Element:
         _check_sections(given, result)
+        note_near_words(given, result.ledger, attributes=WORDS, children=PARTS)
         _check_orientations(given)
         return with_exact_digits(given, result.ledger) if options.exact else given
 
