@@ -78,7 +78,6 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
 
     def prepared(given: Element) -> Element:
         _check_sections(given, result)
-        note_near_words(given, result.ledger, attributes=WORDS, children=PARTS)
         _check_orientations(given)
         return with_exact_digits(given, result.ledger) if options.exact else given
 
@@ -180,6 +179,7 @@ def _in_own_pose(root: Element, reading: Reading) -> Reading:
 
 
 def _check_sections(root: Element, result: Draft) -> None:
+    note_near_words(root, result.ledger, attributes=WORDS, children=PARTS)
     for stray in list(elements(root, "body", "frame")):  # the engine takes the file without them
         result.ledger.changed.append(f"{label(stray)} outside <worldbody>: left out, as MuJoCo leaves it out")
         root.remove(stray)
