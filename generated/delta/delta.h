@@ -46,9 +46,9 @@
  */
 
 /* What functions return; the text of a status says it in words. */
-#define DELTA_RANK_LOST -2 \
+#define DELTA_RANK_LOST (-2) \
     /* success where the loops lose rank: by the rank-revealing path, with the freedoms that open there */
-#define DELTA_RANK_REVEALING -1 /* success near a small pivot: by the rank-revealing path, at full rank */
+#define DELTA_RANK_REVEALING (-1) /* success near a small pivot: by the rank-revealing path, at full rank */
 #define DELTA_SUCCESS 0 /* success */
 #define DELTA_NEAR_SINGULAR 1 /* near-singular: a pivot of the elimination fell below its threshold */
 #define DELTA_NOT_FINITE 2 /* not finite: an input was NaN or infinite, or an output overflowed */

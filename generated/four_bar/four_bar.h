@@ -42,9 +42,9 @@
  */
 
 /* What functions return; the text of a status says it in words. */
-#define FOUR_BAR_RANK_LOST -2 \
+#define FOUR_BAR_RANK_LOST (-2) \
     /* success where the loops lose rank: by the rank-revealing path, with the freedoms that open there */
-#define FOUR_BAR_RANK_REVEALING -1 /* success near a small pivot: by the rank-revealing path, at full rank */
+#define FOUR_BAR_RANK_REVEALING (-1) /* success near a small pivot: by the rank-revealing path, at full rank */
 #define FOUR_BAR_SUCCESS 0 /* success */
 #define FOUR_BAR_NEAR_SINGULAR 1 /* near-singular: a pivot of the elimination fell below its threshold */
 #define FOUR_BAR_NOT_FINITE 2 /* not finite: an input was NaN or infinite, or an output overflowed */

@@ -54,9 +54,9 @@
  */
 
 /* What functions return; the text of a status says it in words. */
-#define THREE_UPS_UPU_S_RANK_LOST -2 \
+#define THREE_UPS_UPU_S_RANK_LOST (-2) \
     /* success where the loops lose rank: by the rank-revealing path, with the freedoms that open there */
-#define THREE_UPS_UPU_S_RANK_REVEALING -1 /* success near a small pivot: by the rank-revealing path, at full rank */
+#define THREE_UPS_UPU_S_RANK_REVEALING (-1) /* success near a small pivot: by the rank-revealing path, at full rank */
 #define THREE_UPS_UPU_S_SUCCESS 0 /* success */
 #define THREE_UPS_UPU_S_NEAR_SINGULAR 1 /* near-singular: a pivot of the elimination fell below its threshold */
 #define THREE_UPS_UPU_S_NOT_FINITE 2 /* not finite: an input was NaN or infinite, or an output overflowed */

@@ -48,9 +48,9 @@
  */
 
 /* What functions return; the text of a status says it in words. */
-#define THREE_UPS_UPU_S_PHYSICAL_RANK_LOST -2 \
+#define THREE_UPS_UPU_S_PHYSICAL_RANK_LOST (-2) \
     /* success where the loops lose rank: by the rank-revealing path, with the freedoms that open there */
-#define THREE_UPS_UPU_S_PHYSICAL_RANK_REVEALING -1 \
+#define THREE_UPS_UPU_S_PHYSICAL_RANK_REVEALING (-1) \
     /* success near a small pivot: by the rank-revealing path, at full rank */
 #define THREE_UPS_UPU_S_PHYSICAL_SUCCESS 0 /* success */
 #define THREE_UPS_UPU_S_PHYSICAL_NEAR_SINGULAR 1 \

@@ -39,9 +39,9 @@
  */
 
 /* What functions return; the text of a status says it in words. */
-#define UR5_RANK_LOST -2 \
+#define UR5_RANK_LOST (-2) \
     /* success where the loops lose rank: by the rank-revealing path, with the freedoms that open there */
-#define UR5_RANK_REVEALING -1 /* success near a small pivot: by the rank-revealing path, at full rank */
+#define UR5_RANK_REVEALING (-1) /* success near a small pivot: by the rank-revealing path, at full rank */
 #define UR5_SUCCESS 0 /* success */
 #define UR5_NEAR_SINGULAR 1 /* near-singular: a pivot of the elimination fell below its threshold */
 #define UR5_NOT_FINITE 2 /* not finite: an input was NaN or infinite, or an output overflowed */

@@ -13,6 +13,7 @@ import math
 import pkgutil
 from collections.abc import Iterable, Mapping
 from decimal import Decimal
+from difflib import get_close_matches
 from fractions import Fraction
 from functools import cache
 from importlib import import_module
@@ -24,6 +25,7 @@ from symscrew.description import Mechanism, read_tables, read_text
 from symscrew.effects.effect import Effect, system_under
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 
+NEAR = 0.85  # 'effect' has 0.92: of a scene's other sections, none has 0.4
 HELPERS = (
     "acting",
     "ball_turns",
@@ -171,7 +173,11 @@ def load_effects(path: str | Path) -> tuple[Effect, ...]:
 
 def effects_of_text(text: str) -> tuple[Effect, ...]:
     """As `load_effects`, of what stands in the file."""
-    tables = read_tables(text).get("effects")
+    whole = read_tables(text)
+    tables = whole.get("effects")
+    misspelt = get_close_matches("effects", [key for key in whole if key != "effects"], n=1, cutoff=NEAR)
+    if misspelt:
+        raise DescriptionError(f"expected tables [[effects]] in the file, found {shorten(misspelt[0])}, too")
     if not isinstance(tables, list):
         raise DescriptionError("expected tables [[effects]] in the file, found none")
     return tuple(effect_from_table(table, f"effects[{k}]") for k, table in enumerate(tables))

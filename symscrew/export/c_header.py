@@ -77,7 +77,7 @@ def print_header(model: Model, *, precision: Precision = DOUBLE, batches: bool =
         "",
         "/* What functions return; the text of a status says it in words. */",
         *(
-            f"#define {upper}_{macro} {code} /* {plain(texts[code].replace(NOTHING, ''))} */"
+            f"#define {upper}_{macro} {_literal(code)} /* {plain(texts[code].replace(NOTHING, ''))} */"
             for code, macro in status_macros(model).items()
         ),
         "",
@@ -103,6 +103,11 @@ def print_header(model: Model, *, precision: Precision = DOUBLE, batches: bool =
             lines += [text + ";" for text in c_batch.signatures(symbol, program, precision, "", width=LONGEST)]
     lines += ["", "#ifdef __cplusplus", "}", "#endif", "", f"#endif /* {upper}_H */", ""]
     return "\n".join(lines)
+
+
+def _literal(code: int) -> str:
+    """A number that stays one in any expression: a minus sign binds less than what may stand beside it."""
+    return str(code) if code >= 0 else f"({code})"
 
 
 def comment(lines: Iterable[str]) -> list[str]:

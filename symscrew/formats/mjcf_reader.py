@@ -39,6 +39,7 @@ from symscrew.formats.mjcf_rotors import rotors
 from symscrew.formats.mjcf_settings import FIXED, ORIENTATIONS
 from symscrew.formats.mjcf_transmissions import Transmissions, add_pulleys, tendon_forces, transmissions
 from symscrew.formats.mjcf_weights import carry
+from symscrew.formats.near_words import note_near_words
 from symscrew.formats.open_loops import Closing
 from symscrew.formats.rigid_displacements import ZERO, Pose, Real, length, minus, real
 from symscrew.formats.safe_xml import Element, attribute, check_attributes, elements, label, number, numbers
@@ -49,6 +50,14 @@ WITHOUT_MECHANICS = ("size", "visual", "statistic", "custom", "asset", "contact"
 WITH_INFLUENCE = ("deformable", "extension")
 PASSIVE_PLUGINS = ("mujoco.sensor.", "mujoco.sdf.")
 """Plugins that make sensors and shapes; of a body that takes its inertia from such a shape the geom is refused."""
+WORDS = {
+    "mesh": (
+        "name", "class", "file", "vertex", "face", "refpos", "refquat", "scale", "inertia", "maxhullvert",
+    ),
+    "text": ("name", "data"),
+}  # fmt: skip
+"""Attributes that are read of elements whose others are left out, for those that are nearly one of these."""
+PARTS = {"asset": ("mesh", "hfield", "model"), "custom": ("text",), "default": ("default", "mesh", "tendon")}
 WORLD = "world"
 
 
@@ -170,6 +179,7 @@ def _in_own_pose(root: Element, reading: Reading) -> Reading:
 
 
 def _check_sections(root: Element, result: Draft) -> None:
+    note_near_words(root, result.ledger, attributes=WORDS, children=PARTS)
     for stray in list(elements(root, "body", "frame")):  # the engine takes the file without them
         result.ledger.changed.append(f"{label(stray)} outside <worldbody>: left out, as MuJoCo leaves it out")
         root.remove(stray)

@@ -20,6 +20,8 @@ WIDE = 1000000
 """What a file gives as limit [m, rad, per s, N, N m] that it must give and that the mechanism does not have."""
 DYNAMICS = ("damping", "friction", "armature", "spring_stiffness", "spring_reference")
 LIMITS = ("lower", "upper", "velocity", "effort")
+REDUCTION = ("mechanicalReduction", "gear_ratio", "mechanical_reduction")
+ROTOR = ("rotor_inertia", "rotorInertia", "motorInertia", "motor_inertia")
 MOVING = ("revolute", "continuous", "prismatic")
 
 
@@ -94,10 +96,6 @@ def transmission_forces(draft: Draft, root: Element, joints: Mapping[str, Elemen
                 draft.ledger.lost("rotor inertia of a transmission without one joint of its own")
             elif ratio is not None and ratio != 1:
                 draft.ledger.turned("reduction of a transmission: drives act on the joint's side")
-
-
-REDUCTION = ("mechanicalReduction", "gear_ratio", "mechanical_reduction")
-ROTOR = ("rotor_inertia", "rotorInertia", "motorInertia", "motor_inertia")
 
 
 def _rotors(transmission: Element, ledger: Ledger) -> list[tuple[float | None, float | None]]:

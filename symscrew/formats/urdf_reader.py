@@ -25,6 +25,7 @@ from symscrew.formats.drawn_meshes import visuals
 from symscrew.formats.exact_digits import with_exact_digits
 from symscrew.formats.file_names import fresh
 from symscrew.formats.import_options import ImportOptions
+from symscrew.formats.near_words import note_near_words
 from symscrew.formats.open_loops import Closing
 from symscrew.formats.physical_inertias import left_open
 from symscrew.formats.rigid_displacements import (
@@ -47,7 +48,7 @@ from symscrew.formats.rigid_displacements import (
     unit,
 )
 from symscrew.formats.safe_xml import Element, attribute, check_attributes, elements, first, label, number, numbers
-from symscrew.formats.urdf_forces import joint_forces, transmission_forces
+from symscrew.formats.urdf_forces import DYNAMICS, LIMITS, REDUCTION, ROTOR, joint_forces, transmission_forces
 from symscrew.formats.urdf_gazebo import gazebo_forces, mujoco_settings
 from symscrew.formats.urdf_loops import DRAKE, is_loop, loops
 from symscrew.formats.urdf_mimics import MIMIC, SINGLE, Mimic, mimics_of, offsets_of
@@ -76,6 +77,21 @@ FIRST = ("inertial", "mass", "inertia")
 MIRRORED = ("iyx", "izx", "izy")
 """Entries of an inertia below its diagonal, which a URDF does not have, and which say nothing if they say the same."""
 SEEN = ("visual", "collision")
+SIDES = ("link", "xyz", "rpy")
+ATTRIBUTES = {
+    "robot": ("name",), "link": ("name",), "mass": ("value",), "parent": SIDES, "child": SIDES, "predecessor": SIDES,
+    "successor": SIDES, "joint": ("name", "type"), "axis": ("xyz",), "origin": ("xyz", "rpy", "quat_xyzw"),
+    "loop": ("name", "type"), "loop_joint": ("name", "type"), "transmission": ("name", "type"), "actuator": ("name",),
+    "limit": LIMITS, "dynamics": DYNAMICS, "joint_properties": DYNAMICS,
+}  # fmt: skip
+CHILDREN = {
+    "robot": READ, "link": ("inertial", *SEEN), "inertial": ("origin", "mass", "inertia"),
+    "joint": (*IN_JOINT, "axis2"),
+    "loop": ("predecessor", "successor", "axis", "limit", "dynamics"), "predecessor": ("origin",),
+    "loop_joint": ("predecessor", "successor", "axis", "limit", "dynamics"), "successor": ("origin",),
+    "transmission": ("type", "joint", "actuator", *REDUCTION, *ROTOR), "actuator": (*REDUCTION, *ROTOR),
+}  # fmt: skip
+"""Words that are read of elements and in them, for those that are nearly one of these."""
 DEFINED = ("property", "arg", "macro")
 """Elements of xacro that do nothing by themselves."""
 FREE_JOINT = "root_joint"
@@ -145,6 +161,7 @@ def read_urdf(root: Element, path: Path, options: ImportOptions) -> Draft:
 
 def _parts(root: Element, ledger: Ledger) -> tuple[dict[str, Element], dict[str, Element]]:
     """Links and joints of the tree by name; the world where joints hang on it."""
+    note_near_words(root, ledger, attributes=ATTRIBUTES, children=CHILDREN)
     links = _named(elements(root, "link"), "link")
     every = elements(root, "joint", f"{DRAKE}joint")
     joints = _named((joint for joint in every if not is_loop(joint)), "joint")

@@ -8,8 +8,9 @@ vector of arguments), and it makes the arrays of the results by NumPy's `PyArray
 stay for all versions of Python 3.10 and NumPy, so no header of either is needed to compile it. What it calls of them
 is a table of addresses, which it finds in the bytes object that is its `self`: nothing is linked, there is no state.
 
-None is returned for arguments that are not arrays (states, entries) or (entries) of float64 of their sizes, for an
-array of one state beside one of several, and where there is no memory for a block: others know what to say.
+None is returned for arguments that are not arrays (states, entries) or (entries) of float64 of their sizes, for no
+state at all, for an array of one state beside one of several, and where there is no memory for a block: others know
+what to say.
 """
 
 from __future__ import annotations

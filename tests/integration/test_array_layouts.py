@@ -383,8 +383,10 @@ def test_calls_of_the_library_by_itself(found: Model) -> None:
         [q, *(x[0] for x in others)],
         [x[0] for x in arrays],
         [x[:1] for x in arrays],
+        [q[:1], *(x[0] for x in others)],
     ]
     left = [
+        [x[:0] for x in arrays],
         [q[:1], *others],
         [q.tolist(), *others],
         [q.astype("f4"), *others],
@@ -402,6 +404,9 @@ def test_calls_of_the_library_by_itself(found: Model) -> None:
         for told in (False, True):
             for given in taken[:2] + taken[4:] + left[1:3]:
                 function.new(given, 1, told)
+    worst, (u,), status, batch = function.new(taken[4], 1, True)
+    assert (worst, u.shape, status.shape, batch) == (0, (1, *function.outputs[0].shape), (1,), (1,))
+    assert np.array_equal(u[0], function(*taken[3]))
     worst, (u,), status, batch = function.new(arrays, 1, True)
     assert sys.getrefcount(u) == sys.getrefcount(status) == 2 and u.flags.owndata and u.flags.c_contiguous
     assert (worst, batch, status.dtype) == (0, (COUNT,), np.dtype(np.intc))

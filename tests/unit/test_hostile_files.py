@@ -80,3 +80,18 @@ def test_an_archive_that_grows(tmp_path: Path) -> None:
     with zipfile.ZipFile(tmp_path / "bomb.npz", "w", zipfile.ZIP_DEFLATED) as made:
         made.writestr("t.npy", header + b"\0" * (1 << 26))
     refused("archive", tmp_path / "bomb.npz")
+
+
+@pytest.mark.parametrize(
+    ("reader", "text", "said"),
+    [
+        ("motion", '[motion]\nduration = nan\n[coordinates]\ncrank = "t"', "expected a number above 0"),
+        ("motion", f'[motion]\nduration = {"9" * 400}\n[coordinates]\ncrank = "t"', "expected a number above 0"),
+        ("motion", '[motion]\nduration = 1\n[twist]\nwx = "t"\n[twist.wy]', "twist.wy: expected an expression, got {}"),
+        ("effects", '[[effects]]\ntype = "gravity"\n[[effect]]\ntype = "gravity"', "found 'effect', too"),
+    ],
+)
+def test_one_value_that_nobody_means(reader: str, text: str, said: str, tmp_path: Path) -> None:
+    path = tmp_path / "file.toml"
+    path.write_text(text)
+    assert said in refused(reader, path)

@@ -9,7 +9,7 @@ import pytest
 
 from symscrew.cli.parser import main
 from symscrew.errors import DescriptionError
-from symscrew.formats import Account, import_file
+from symscrew.formats import Account, ImportOptions, import_file
 from symscrew.mobility import analyse_mobility
 
 HINGE = """<robot name="r"><link name="a"/><link name="b"/>
@@ -203,3 +203,40 @@ def test_bodies_and_joints_without_names_get_none_that_others_have(tmp_path: Pat
     path.write_text(f"<mujoco><worldbody>{one.format('', '')}{named}</worldbody></mujoco>")
     found = import_file(path).mechanism
     assert list(found.bodies) == ["world", "body_2", "body"] and list(found.joints) == ["joint_2", "joint"]
+
+
+@pytest.mark.parametrize(
+    ("suffix", "right", "wrong", "said"),
+    [
+        ("urdf", "<dynamics", "<dynamic", "element 'dynamic' of <joint>, which is not read: did you mean 'dynamics'?"),
+        ("urdf", "lower=", "lowers=", "attribute 'lowers' of <limit>, which is not read: did you mean 'lower'?"),
+        ("urdf", "type=", "types=", "attribute 'types' of <loop>, which is not read: did you mean 'type'?"),
+        ("xml", "scale=", "scales=", "attribute 'scales' of <mesh>, which is not read: did you mean 'scale'?"),
+        ("xml", "data=", "datas=", "attribute 'datas' of <text>, which is not read: did you mean 'data'?"),
+    ],
+)
+def test_words_that_are_nearly_read_are_not_left_out_silently(
+    suffix: str, right: str, wrong: str, said: str, tmp_path: Path
+) -> None:
+    """A loop whose type is misspelt was a fixed one, a limit none, a mesh a thousand times as large."""
+    tie = '<loop name="l" type="spherical"><predecessor link="a"/><successor link="b"/></loop></robot>'
+    hinge = HINGE.format(type="revolute", axis="0 0 1", lower="-1", damping="2").replace("</robot>", tie)
+    rest = '<asset><mesh name="m" vertex="0 0 0 1 0 0 0 1 0 0 0 1" scale="0.1 0.1 0.1"/></asset>'
+    rest += '<custom><text name="t" data="d"/></custom>'
+    whole = hinge if suffix == "urdf" else ARM.format(default="", joint="", geom="", rest=rest)
+    assert not account(tmp_path, whole, suffix).influence
+    at = whole.index("<loop") if wrong == "types=" else 0
+    path = tmp_path / f"odd.{suffix}"
+    path.write_text(whole[:at] + whole[at:].replace(right, wrong, 1))
+    assert said in import_file(path, ImportOptions(accept=True)).account.influence
+    with pytest.raises(DescriptionError, match="what numbers depend on would be left out"):
+        import_file(path)
+
+
+def test_other_words_are_left_out(tmp_path: Path) -> None:
+    """MuJoCo's `frictionloss` is no misspelt friction of a URDF; a word beside the one that it is near adds nothing."""
+    hinge = HINGE.format(type="revolute", axis="0 0 1", lower="-1", damping="2")
+    for more in ("frictionloss", "dampings"):
+        found = account(tmp_path, hinge.replace("<dynamics", f'<dynamics {more}="1"'), "urdf")
+        assert not found.influence
+        assert f"attributes of <dynamics> that a URDF does not have: {more}" in found.harmless

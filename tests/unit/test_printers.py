@@ -42,6 +42,7 @@ def test_header_says_all_that_a_user_must_know(model):
     for text in ("in x[2] [m]: test array x", "0 x 0; 1 x 1", "Returns 0, 1, 2", f"operations: {total} "):
         assert text in about
     assert "matrix[6] (2x3, column by column)" in header
+    assert "#define HANDMADE_RANK_LOST (-2)" in header and not re.search(r"#define \w+ -", header)
 
 
 def test_the_header_tells_the_stack_of_second_paths():

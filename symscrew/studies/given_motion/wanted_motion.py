@@ -16,6 +16,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from decimal import Decimal
@@ -140,9 +142,13 @@ def _of_tables(tables: Mapping[str, Any], mechanism: Mechanism) -> WantedMotion:
 
 
 def _number(value: object, where: str) -> float:
-    if isinstance(value, bool) or not isinstance(value, (int, float, Decimal)) or not 0 < value < float("inf"):
+    found = math.nan
+    if isinstance(value, (int, float, Decimal)) and not isinstance(value, bool):
+        with contextlib.suppress(OverflowError):
+            found = float(value)
+    if not 0 < found < math.inf:
         raise DescriptionError(f"{where}: expected a number above 0, got {shorten(value)}")
-    return float(value)
+    return found
 
 
 def _times(duration: float, rate: float) -> Array:
@@ -159,7 +165,7 @@ def _flat(table: object, where: str) -> dict[str, str]:
         raise DescriptionError(f"{where}: expected a table of expressions, got {shorten(table)}")
     found: dict[str, str] = {}
     for name, value in table.items():
-        if isinstance(value, dict):
+        if isinstance(value, dict) and value:
             found |= {f"{name}.{inner}": text for inner, text in _flat(value, f"{where}.{name}").items()}
         elif isinstance(value, (str, int, float, Decimal)) and not isinstance(value, bool):
             found[name] = str(value)
