@@ -318,12 +318,10 @@ class Mobility:
         """Margins from limb, constraint and actuation singularities, and actuation loci in the parameters."""
         reached, work = (None, self._screws) if self.in_reference else (self.reached, None)
         found = singularities(self.mechanism, reached, work=work)
-        if "margins" in self.withdrawn:
-            return replace(found, margins=None, unknown=WITHDRAWN["margins"])
-        if found.margins is None:
-            return found
-        without, kept = self.dof - len(self.network.driven), self.decisions.singular_values[0]
-        finite, almost = self.finite, kept if kept < NEARLY_SINGULAR else None
+        if found.margins is None or "margins" in self.withdrawn:
+            return replace(found, margins=None, unknown=found.unknown or WITHDRAWN["margins"])
+        without, kept, finite = self.dof - len(self.network.driven), self.decisions.singular_values[0], self.finite
+        almost = kept if kept < NEARLY_SINGULAR else None
         fewer = (self.dof, finite.dof) if finite.dof is not None and finite.dof < self.dof else None
         known = (undriven_freedoms(self.network), lone_pairs(self.network), finite.smooth, almost, fewer, without)
         ranks = Ranks(self.limbs, self.dof_drives_locked, *known)
@@ -344,7 +342,7 @@ class Mobility:
     def loci(self) -> tuple[Locus, ...]:
         """Where, in the parameters, something degenerates in the reference configuration."""
         loops = () if self.limbs or isinstance(self.loops, str) else self.loops.loci
-        limbs = self.symbolic.loci if self.symbolic is not None else ()
+        limbs = () if self.symbolic is None else self.symbolic.loci
         return conditions((*limbs, *loops, *self.singularities.loci))
 
     def _repr_html_(self) -> str:

@@ -26,9 +26,7 @@ Found = tuple[str, bool, str, str]
 """Claim, whether it holds, evidence, the statement that falls with it."""
 
 TOLD = 1e-9
-"""Relative singular value above which doubles tell that it is none of rounding: 16 digits less what unit rows lose."""
-ROUNDING = 1e-13
-"""Relative singular value below which doubles see zero; between the two, 60 digits are asked."""
+"""Relative singular value above which doubles tell that it is none of rounding; of smaller ones 60 digits tell."""
 SAME = 1e-9
 """Of a screw and of the mechanism's distance from the origin: screws in doubles and in 60 digits that are the same."""
 POWER = 1e-20
@@ -66,7 +64,7 @@ def has_rank(vectors: Sequence[Sequence[Real]], rank: int, columns: int) -> bool
     s = np.append(s / s[0], 0.0)
     if not 0 < rank < len(s) or s[rank] > TOLD:
         return False
-    if s[rank] < ROUNDING and s[rank - 1] > TOLD:
+    if rank == len(s) - 1 and s[-2] > TOLD:
         return True
     return eliminate(rows, columns).rank == rank
 
@@ -258,7 +256,7 @@ def _counts(found: Mobility) -> Iterator[Found]:
         edges = [network.edges[name] for name in found.mechanism.limbs[limb.name].joints]
         if not has_rank(_centred(edges), limb.connectivity, 6):
             wrong.append(limb.name)
-    if not counts.mobility == found.dof or counts.platform != found.platform.dof:
+    if counts.mobility != found.dof or counts.platform != found.platform.dof:
         wrong.append("M or S_F")
     every = _centred(list(network.edges.values()))
     if network.chords and not has_rank(every, 6 - counts.common, 6):
