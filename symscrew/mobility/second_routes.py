@@ -167,7 +167,7 @@ def _carried(pose: Array, screw: Array) -> Array:
 def _outside(screws: Array, screw: Array) -> float:
     """What of a screw is not in the span of others, over its size."""
     rest = screw - screws.T @ np.linalg.lstsq(screws.T, screw, rcond=None)[0]
-    return float(np.linalg.norm(rest) / max(np.linalg.norm(screw), 1.0))
+    return float(np.linalg.norm(rest)) / max(float(np.linalg.norm(screw)), 1.0)
 
 
 # -- the body, drives and limbs --------------------------------------------------------------------------
@@ -315,6 +315,7 @@ def _as_ranks(found: Mobility, margin: MarginValue) -> bool:
     limb = found.mechanism.limbs.get(margin.name)
     if margin.kind == "limb" and limb is None:
         return True  # of a chain that is not described
+    rows: list[Sequence[Real]]
     if limb is not None:
         rows = [s for name in limb.joints for s in network.edges[name].screws]
     else:
