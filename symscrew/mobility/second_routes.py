@@ -82,24 +82,11 @@ def _screws(found: Mobility) -> list[Found]:
     values = {} if found.in_reference or found.reached is None else found.reached.values
     network, length = found.network, float(found.network.length)
     pieces = {joint.name: _freedoms(found, joint, values) for joint in joints}
-    poses = {found.mechanism.ground: np.eye(4)}
-    apart, reach = 0.0, 1.0
-    waiting = list(joints)
-    while waiting:
-        left = [j for j in waiting if j.parent not in poses and j.child not in poses]
-        for joint in (j for j in waiting if j not in left):
-            across = np.eye(4)
-            for screw, by in pieces[joint.name]:
-                across = across @ _exponential(screw, by)
-            if joint.parent not in poses:
-                poses[joint.parent] = poses[joint.child] @ np.linalg.inv(across)
-            end = poses[joint.parent] @ across
-            known = poses.setdefault(joint.child, end)
-            apart = max(apart, float(np.abs(known - end).max()))
-            reach = max(reach, float(np.abs(end[:3, 3]).max()) / length)
-        if len(left) == len(waiting):
-            return []
-        waiting = left
+    poses, apart = _poses(found, pieces)
+    if len(poses) < len(network.bodies):
+        return []
+    reach = max(float(np.abs(pose[:3, 3]).max()) / length for pose in poses.values())
+    reach = max(reach, 1.0)
     worst = apart / max(length, 1.0)
     for joint in joints:
         made, at = [], poses[joint.parent]
@@ -114,6 +101,25 @@ def _screws(found: Mobility) -> list[Found]:
         worst = max(worst, *(_outside(new, row) for row in own))
     text = f"at most {worst:.1e} from screws displaced by exponentials in doubles"
     return [("screws of all joints", worst < SAME * reach, text, "")]
+
+
+def _poses(found: Mobility, pieces: Mapping[str, list[tuple[Array, float]]]) -> tuple[dict[str, Array], float]:
+    """Poses of the bodies that joints reach from the ground, and how far apart ways to the same body end [m]."""
+    poses, apart = {found.mechanism.ground: np.eye(4)}, 0.0
+    waiting = list(found.mechanism.joints.values())
+    while True:
+        left = [joint for joint in waiting if joint.parent not in poses and joint.child not in poses]
+        for joint in (joint for joint in waiting if joint not in left):
+            across = np.eye(4)
+            for screw, by in pieces[joint.name]:
+                across = across @ _exponential(screw, by)
+            if joint.parent not in poses:
+                poses[joint.parent] = poses[joint.child] @ np.linalg.inv(across)
+            end = poses[joint.parent] @ across
+            apart = max(apart, float(np.abs(poses.setdefault(joint.child, end) - end).max()))
+        if len(left) in (0, len(waiting)):
+            return poses, apart
+        waiting = left
 
 
 def _freedoms(found: Mobility, joint: Any, values: Mapping[str, float]) -> list[tuple[Array, float]]:
