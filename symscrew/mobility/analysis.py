@@ -64,7 +64,7 @@ from symscrew.mobility.symbols import (
     symbolic_mobility,
     why_no_symbols,
 )
-from symscrew.mobility.withheld import AS_MEANT, NOT_ALONE, SOLVED_FOR, TIED, WITHDRAWN
+from symscrew.mobility.withheld import AS_MEANT, IN_SYMBOLS, NOT_ALONE, SOLVED_FOR, TIED, WITHDRAWN
 
 
 @dataclass(frozen=True)
@@ -168,7 +168,7 @@ class Mobility:
         decisions = Decisions(None, (), SOLVED_FOR, singular_values(first_order))
         finite = judged(network, first_order, decisions)
         return Mobility(self.mechanism, network, first_order, finite, platform, limbs, constraints, decisions, 0.0,
-                        self.coordinates, self.parameters, frozenset(WITHDRAWN), reached=self.reached)  # fmt: skip
+                        self.coordinates, self.parameters, IN_SYMBOLS, reached=self.reached)  # fmt: skip
 
     @property
     def nearly_special(self) -> tuple[str, ...]:
@@ -274,7 +274,7 @@ class Mobility:
     @cached_property
     def branches(self) -> BranchTable | None:
         """What moves along each branch through the configuration; None where the finite mobility is not decided."""
-        if self.finite.dof is None:
+        if self.finite.dof is None or "branches" in self.withdrawn:
             return None
         proof = None if self.finite.smooth and self.finite.proved else self.motion_proof  # one branch, as is proved
         complete = why_complete(self.finite, proof)
@@ -318,10 +318,10 @@ class Mobility:
         """Margins from limb, constraint and actuation singularities, and actuation loci in the parameters."""
         reached, work = (None, self._screws) if self.in_reference else (self.reached, None)
         found = singularities(self.mechanism, reached, work=work)
-        if found.margins is None:
-            return found
-        without, kept = self.dof - len(self.network.driven), self.decisions.singular_values[0]
-        finite, almost = self.finite, kept if kept < NEARLY_SINGULAR else None
+        if found.margins is None or "margins" in self.withdrawn:
+            return replace(found, margins=None, unknown=found.unknown or WITHDRAWN["margins"])
+        without, kept, finite = self.dof - len(self.network.driven), self.decisions.singular_values[0], self.finite
+        almost = kept if kept < NEARLY_SINGULAR else None
         fewer = (self.dof, finite.dof) if finite.dof is not None and finite.dof < self.dof else None
         known = (undriven_freedoms(self.network), lone_pairs(self.network), finite.smooth, almost, fewer, without)
         ranks = Ranks(self.limbs, self.dof_drives_locked, *known)
@@ -342,7 +342,7 @@ class Mobility:
     def loci(self) -> tuple[Locus, ...]:
         """Where, in the parameters, something degenerates in the reference configuration."""
         loops = () if self.limbs or isinstance(self.loops, str) else self.loops.loci
-        limbs = self.symbolic.loci if self.symbolic is not None else ()
+        limbs = () if self.symbolic is None else self.symbolic.loci
         return conditions((*limbs, *loops, *self.singularities.loci))
 
     def _repr_html_(self) -> str:

@@ -24,6 +24,7 @@ from symscrew.mobility.proof_file import mobility_proof
 from symscrew.mobility.proofs import check_proof
 from symscrew.mobility.rank_evidence import OF_CONSTRAINTS
 from symscrew.mobility.screw_systems import ZERO_BELOW, Real, Screw, eliminate, unit_rows
+from symscrew.mobility.second_routes import second_routes
 from symscrew.mobility.symbols import Vector, numbers_at
 
 DISPLACED = 1e-45
@@ -80,7 +81,8 @@ def verify(found: Mobility) -> tuple[Check, ...]:
     checks += [Check(*recheck(witness), withdraws="finite") for witness in found.finite.witnesses]
     if found.decisions.field is not None:
         checks.append(_over_the_field(found))
-    return (*checks, *_symbols(found), *_displaced(found), *_motions(found), *_by_the_checker(found))
+    others = [Check(*one) for one in second_routes(found)]
+    return (*checks, *others, *_symbols(found), *_displaced(found), *_motions(found), *_by_the_checker(found))
 
 
 def _by_the_checker(found: Mobility) -> list[Check]:

@@ -112,6 +112,14 @@ def test_the_nearest_zero_of_a_margin_is_where_the_rank_is_lost() -> None:
     assert f"0 along its gradient with crank_R displaced by {near.size}" in lines and "deg" in near.size
 
 
+def test_where_three_arms_fold_at_once_a_triple_zero_is_followed_to_its_end() -> None:
+    """Arms of 0.3 on rods of 0.7 lie over them where 0.2 - 0.4 cos = 0.05: all three at once, as they are equal."""
+    found = analyse_mobility(catalogue.load("delta")).singularities.margins
+    assert found is not None
+    near = next(m for m in found if m.kind == "limb" and m.name == "platform").nearest
+    assert near is not None and abs(near.by + math.acos(0.375)) < 1e-5
+
+
 def test_a_margin_of_full_rank_is_almost_singular_whatever_its_size() -> None:
     found = analyse_mobility(catalogue.load("planar_3rrr"))
     assert found.singularities.margins is not None

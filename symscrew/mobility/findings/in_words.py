@@ -23,6 +23,7 @@ from symscrew.mobility.motions import branch_lines
 from symscrew.mobility.screw_text import describe_twist, describe_wrench
 from symscrew.mobility.singularities import as_lines
 from symscrew.mobility.symbols import conditions
+from symscrew.mobility.withheld import WITHDRAWN
 
 if TYPE_CHECKING:
     from symscrew.mobility.analysis import Mobility, Near
@@ -56,6 +57,8 @@ def sections(found: Mobility) -> list[tuple[str, list[str]]]:
                 [*branch_lines(found.branches, found.network), *resting_lines(found)],
             )
         )
+    elif "branches" in found.withdrawn:
+        result.append(("Branches through the configuration", [WITHDRAWN["branches"]]))
     if not found.limbs and found.network.chords and (lines := _motions(found)):
         result.append(("Motions of the loops in symbols", lines))
     if lines := [*_loci(found.loci), *lines_of_drives(found)]:

@@ -26,17 +26,20 @@ STEP = 0.15
 a machine reaches is jumped over."""
 STEPS = 80
 """Evaluations: what is more than four radians away is not near. Close to a zero five steps suffice, as step sizes are
-doubled for double ones, each with two or three that close the loops."""
+made longer for double and triple ones, each with two or three that close the loops."""
 DIFFERENCE = 1e-5
 """Half the step of differences along the tangent: the derivative is right to 1e-10."""
 FOUND = 1e-10
-"""Of its size over sample states: a margin below it is zero there. The coordinates are then right to 1e-5
-even where it has a double zero."""
+"""Of its size over sample states: a margin below it is zero there."""
+SHORT = 3e-5
+"""Last step in radians or characteristic lengths from which a zero is reached: a simple one is then right to rounding,
+a triple one, as of three equal arms that stretch at once and where the margin is 1e-10 already 5e-4 before it, to 1e-5.
+"""
 SQUARED = 1e-16
 """A sum of squares is followed down to this, as far as it goes, and it has no sign that would change there: doubles do
 not tell a rank that is lost from pins 1e-12 out of line."""
-LEVEL = 1e-9
-"""A gradient below this, of the margin's size, leads nowhere."""
+LEVEL = 1e-10
+"""A gradient below this, of the margin's size, leads nowhere: ten times what rounding leaves of its differences."""
 CLOSED = 1e-11
 """Closure residual in characteristic lengths at which the loops count as closed."""
 LOOSELY = 1e-2
@@ -44,9 +47,9 @@ LOOSELY = 1e-2
 NEAR = 0.2
 """A margin below this, of its size, is followed with all loops closed: where rank is lost, what closes them is as long
 as the step, so that both at once do not converge."""
-DOUBLE_ZERO = (0.2, 0.3)
-"""What a whole step leaves of a margin with a double zero is a quarter, with a triple one 8/27: steps are then doubled.
-With a simple zero it leaves next to nothing."""
+MANY_ZEROS = ((2.0, 0.2, 0.273), (3.0, 0.273, 0.31))
+"""What a whole step leaves of a margin with a double zero is a quarter, with a triple one 8/27: steps are then made so
+many times as long, once. With a simple zero it leaves next to nothing."""
 LOST = 1.0
 """Closure residual in characteristic lengths from which Newton's method is not expected back."""
 IDLE = 8
@@ -128,20 +131,21 @@ class _Walk:
     """Where one margin has been followed to, and whether it is followed on."""
 
     def __init__(self, margin: int, start: Array, double: float) -> None:
-        self.margin, self.double = margin, double  # a step twice as long for a double zero
+        self.margin, self.double, self._once = margin, double, double  # a step twice as long for a double zero
         self.q = start.copy()
         self.target = FOUND if double == 1.0 else SQUARED
         self.end: Array | None = None
         self.going, self.found = True, False
         self._value, self._least, self._idle = np.inf, np.inf, 0
         self._best = np.inf  # the least value with closed loops
+        self._stride = np.inf  # the last step towards the zero
         self._before = np.inf  # the value from which a whole step was made; infinite: none was
 
     def judge(self, here: _Here, value: float) -> None:
         """Whether it has arrived, or goes no further."""
         self._value = value
         closed = here.residual < CLOSED
-        self.found = closed and abs(value) < self.target
+        self.found = closed and abs(value) < (self.target if self._stride < SHORT else SQUARED)
         if closed and abs(value) < min(FOUND, self._best):
             self.end, self._best = self.q.copy(), abs(value)
         if here.residual < (CLOSED if abs(value) < NEAR else LOOSELY):
@@ -156,16 +160,17 @@ class _Walk:
         """Rates without unit: towards the margin's zero and towards closed loops."""
         square = float(slope @ slope)
         near = abs(self._value) < NEAR
-        if here.residual > (CLOSED if near else LOOSELY) or abs(self._value) < self.target:
+        if here.residual > (CLOSED if near else LOOSELY):
             return here.closing
         if square < LEVEL**2:
             self.going = False
             return here.closing
-        least, most = DOUBLE_ZERO
-        if near and least < self._value / self._before < most:
-            self.double *= 2
+        left = self._value / self._before
+        if near and self.double == self._once:
+            self.double *= next((times for times, least, most in MANY_ZEROS if least < left < most), 1.0)
         step = -self.double * self._value / square * (here.tangent @ slope)
-        part = min(1.0, STEP / float(np.linalg.norm(step)))
+        self._stride = float(np.linalg.norm(step))
+        part = min(1.0, STEP / self._stride)
         self._before = self._value if part == 1.0 else np.inf
         step *= part
         return np.asarray(step if near else step + here.closing)
