@@ -78,6 +78,8 @@ def add_options(command: argparse.ArgumentParser) -> None:
     add_no_cache(command)
 
 
+NO_FORMS = "operation modes not told apart: where a screw joint moves, no polynomials in Study's parameters need vanish"
+"""Random poses of one smooth curve showed another number of quadrics from each start, and counted as several modes."""
 SECONDS = 75.0
 """Of the processor, for components: of 70 mechanisms of the literature none took more when stages had times of their
 own."""
@@ -275,6 +277,8 @@ def _components(found: Mobility, allowed: AllowedTime) -> tuple[Mobility, Parts]
     if not isinstance(modes, str):
         modes = replace(modes, others=judged_modes(found, modes.others)) if found.in_reference else modes
         return found, ([*lines, *pose_lines(modes)], {**values, "pose_modes": pose_values(modes)})
+    if any(motion.helical for edge in found.network.edges.values() for motion, _ in edge.motions):
+        return found, ([*lines, NO_FORMS], {**values, "operation_modes": {"decided": False, "why": NO_FORMS}})
     seen = sampled_modes(found.network, found.platform.body)
     seen = judged_modes(found, seen) if found.in_reference else seen
     held = with_zero_parameters(found.mechanism, found.network, seen, allowed.at_most(algebra * whole))
