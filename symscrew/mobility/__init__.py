@@ -146,7 +146,7 @@ __all__ = [
     "regular_ways",
     "screw_class",
     "sections",
-"signs_ahead",
+    "signs_ahead",
     "studied_components",
     "targets_of",
     "verified",

@@ -41,6 +41,8 @@ SHORTLY = 1 / 15
 """Part of it for both where modes are known: wholes that are decomposed at all then take a second or two."""
 MODES = 1 / 6
 """Part of it for modes with parallel axes, which are soon found or not at all."""
+NO_FORMS = "operation modes not told apart: where a screw joint moves, no polynomials in Study's parameters need vanish"
+"""Random poses of one smooth curve showed another number of quadrics from each start, and counted as several modes."""
 Parts = tuple[list[str], dict[str, Any]]
 """Components in words and as JSON values."""
 
@@ -102,6 +104,8 @@ def _of_poses(found: Mobility, modes: PoseModes) -> Parts:
 
 def _sampled(found: Mobility, allowed: AllowedTime) -> Parts:
     """Modes that random configurations show, and those of them that have parameters which are zero."""
+    if any(motion.helical for edge in found.network.edges.values() for motion, _ in edge.motions):
+        return [NO_FORMS], {"operation_modes": {"decided": False, "why": NO_FORMS}}
     seen = sampled_modes(found.network, found.platform.body)
     seen = judged_modes(found, seen) if found.in_reference else seen
     least = allowed.at_most(ALGEBRA * allowed.seconds)

@@ -7,8 +7,10 @@ import os
 from pathlib import Path
 
 import pytest
+from support.reference_mechanisms import ENTRIES, build
 
 from symscrew.cli.parser import main
+from symscrew.description.toml_file import to_toml
 
 SEED = "three_ups_upu_s"
 SHORT = str(Path(__file__).parents[1] / "data" / "short_five_bar.toml")
@@ -66,3 +68,15 @@ def test_linear_algebra_runs_on_one_thread_unless_the_user_says_otherwise(monkey
     monkeypatch.delenv("OPENBLAS_NUM_THREADS", raising=False)
     main(["mobility", "four_bar"])
     assert (os.environ["OPENBLAS_NUM_THREADS"], os.environ["MKL_NUM_THREADS"]) == ("1", "3")
+
+
+def test_poses_of_screw_joints_are_not_told_apart_by_polynomials(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A smooth curve through the reference is one, whose poses satisfied other quadrics from each random start."""
+    path = tmp_path / "screws.toml"
+    path.write_text(to_toml(build(ENTRIES["delassus_4h"])), encoding="utf-8")
+    assert main(["mobility", str(path), "--components", "--no-cache"]) == 0
+    said = capsys.readouterr().out
+    assert "a smooth point has one branch" in said and "operation modes not told apart" in said
+    assert "the screw joint J1 is not algebraic" in said and "through the reference" not in said

@@ -101,7 +101,7 @@ def _taken(found: Mobility, change: Callable[[dict[str, Any]], None]) -> None:
     numbers, evidence = found.evidence
     entry = copy.deepcopy(evidence["blocks"][0])
     change(entry["proof"])
-    Block(numbers.read, ("block", "0"), entry).dimensions()
+    assert Block(numbers.read, ("block", "0"), entry).dimensions
 
 
 def _set(proof: dict[str, Any], name: str, value: Any) -> None:

@@ -70,7 +70,7 @@ def change_point() -> tuple[Block, dict[str, Any]]:
 
 def taken(proof: dict[str, Any]) -> tuple[int, int, list[int] | None, bool]:
     block = change_point()[0]
-    return Block(block.mechanism, ("block", "0"), {**block.entry, "proof": proof}).dimensions()
+    return Block(block.mechanism, ("block", "0"), {**block.entry, "proof": proof}).dimensions
 
 
 def test_two_curves_meet(monkeypatch: pytest.MonkeyPatch) -> None:

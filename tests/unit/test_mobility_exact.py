@@ -18,6 +18,7 @@ from symscrew import catalogue
 from symscrew.algebra import CONTEXT
 from symscrew.mobility.analysis import analyse_mobility
 from symscrew.mobility.screw_systems import _rounded, eliminate
+from symscrew.mobility.symbols.common_divisor import divisor
 from symscrew.mobility.symbols.exact_field import Field
 from symscrew.mobility.symbols.exact_numbers import NotDecidableError, Number, expression, inverse, value
 from symscrew.mobility.symbols.exact_ranks import exact_rank, null_vectors, rank_modulo
@@ -144,3 +145,15 @@ def test_elimination_rounds_as_mpmath_does() -> None:
     third, one = CONTEXT.mpf(1) / 3, CONTEXT.one
     found = eliminate([[3 * third, third, CONTEXT.zero], [one, third, third * third]], 3)
     assert found.pivots == (0, 2) and found.rows[0][1] == third and found.rows[1][:2] == (0, 0)
+
+
+def test_common_divisors_in_few_of_the_generators_are_those_of_sympy() -> None:
+    """Also up to its unit: of what has only some generators in common, of one term, and where nothing is shared."""
+    _, *gens = sympy.polys.rings.ring("w,c,s,a,b,h", sympy.QQ)
+    w, c, s, a, b, h = gens
+    length, many = 4 * h**2 + 9 * (a - b) ** 2, (w * c + 3 * s * a - c * b / 2) * (s + h)
+    tops = [many * length**2, many * length * (a + b), many, 2 * a * many, length, (w + c) * (a + b) / 3, w + c]
+    bottoms = [length, 2 * length**3 * (a + b), 6 * a * length, 4 * a, length * h - length * b, a + b, s + h]
+    for top in tops:
+        for bottom in bottoms:
+            assert divisor(top, bottom) == top.gcd(bottom), (top, bottom)

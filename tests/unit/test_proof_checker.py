@@ -433,3 +433,17 @@ def test_what_a_console_cannot_write_ends_no_verdict(tmp_path: Path) -> None:
     command = [sys.executable, "-S", proof_checker.__file__, str(path)]
     done = subprocess.run(command, capture_output=True, text=True, env={"PYTHONIOENCODING": "ascii"})
     assert done.returncode == 0 and "Mobility of Kurbel \\u2192 Schwinge" in done.stdout, done.stderr
+
+
+def test_identities_are_multiplied_out_once_and_over_the_field(monkeypatch: pytest.MonkeyPatch) -> None:
+    """(t - r) (t + r) = t^2 - 2 where r^2 = 2, and not t^2 - 3; of a part nothing is shown twice in one run."""
+    numbers = proof_checker.Numbers([{"between": ["1", "2"], "polynomial": ["-2", "0"]}])
+    root, one = numbers.read([["1", 1]]), numbers.one
+    less, more = {(1, 0): one, (0, 0): -root}, {(1, 0): one, (0, 0): root}
+    for square, zero in ((2, True), (3, False)):
+        right = {(2, 0): one, (0, 0): numbers.rational(Fraction(-square))}
+        assert proof_checker.cancelled(numbers, [(less, more), ({(0, 0): -one}, right)]) is zero
+    seen: list[int] = []
+    form = proof_checker.Block.form
+    monkeypatch.setattr(proof_checker.Block, "form", lambda block, given: seen.append(1) or form(block, given))
+    assert check_proof(values_of("parallelogram-change_point")).holds and len(seen) == 1

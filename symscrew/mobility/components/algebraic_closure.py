@@ -53,7 +53,7 @@ def closure_equations(
     if network.ties:
         raise NotAlgebraicError("couplings of coordinates are not among the polynomials")
     looped = {name for loop in network.loops() for name, _ in loop}
-    for name in looped:
+    for name in sorted(looped):
         if any(motion.helical for motion, _ in network.edges[name].motions):
             raise NotAlgebraicError(f"the screw joint {name} is not algebraic")
     try:

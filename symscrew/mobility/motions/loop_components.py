@@ -163,7 +163,8 @@ def component_lines(found: Components | str) -> list[str]:
     count = len(found.curves)
     lines = [
         f"{count} component{'s' * (count > 1)} of dimension 1, all of them (proved: irreducible factors over the "
-        f"rational numbers); t, s: tangents of half the angles of {found.hinges[0]}, {found.hinges[1]}"
+        f"rational numbers); t, s: multiples of the tangents of half the angles of "
+        f"{found.hinges[0]}, {found.hinges[1]} (one over the length of a rational vector along the axis)"
     ]
     for curve in found.curves:
         where = "through the reference" if curve.through else "elsewhere"

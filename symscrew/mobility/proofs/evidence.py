@@ -63,7 +63,7 @@ def with_parts(numbers: ProofNumbers, values: dict[str, Any], seconds: float = S
     for k, entry in enumerate(values["blocks"]):
         name = ("block", str(k))
         block = Block(numbers.read, name, entry)
-        if block.dimensions()[2] is None:
+        if block.dimensions[2] is None:
             proof = parts_proof(numbers, block, seconds)
             if proof is not None and accepted(numbers, name, {**entry, "proof": proof}):
                 entry = {**entry, "proof": proof}
@@ -97,4 +97,4 @@ def motion_proof(numbers: ProofNumbers, values: dict[str, Any]) -> MotionProof |
 
 def _moves(numbers: ProofNumbers, index: int, entry: dict[str, Any]) -> bool:
     """Whether a part is not isolated."""
-    return Block(numbers.read, ("block", str(index)), entry).dimensions()[0] > 0
+    return Block(numbers.read, ("block", str(index)), entry).dimensions[0] > 0

@@ -96,10 +96,9 @@ def accepted(
 ) -> bool:
     """Whether the checker takes the proof of a part, of which some joints are held."""
     try:
-        Block(numbers.read, name, entry, held=held).dimensions()
+        return bool(Block(numbers.read, name, entry, held=held).dimensions)
     except RefusedError:
         return False
-    return True
 
 
 class _Part:
@@ -191,7 +190,7 @@ class _Part:
         if found:
             held = self.held.union(*(entry["joints"] for entry in found))
             rest = _entry(self.numbers, self.name, held)
-            if Block(read, self.name, rest, held=held).dimensions()[2] is not None:
+            if Block(read, self.name, rest, held=held).dimensions[2] is not None:
                 yield {"kind": "rigid", "rigid": found, "rest": rest}
 
     def nested(self) -> Iterator[dict[str, Any]]:

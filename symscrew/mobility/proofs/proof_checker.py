@@ -39,7 +39,9 @@ import sys
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 from itertools import combinations, permutations, product
+from math import lcm
 from operator import add
 from typing import Any
 
@@ -528,6 +530,28 @@ def multiplied(a: Polynomial, b: Polynomial) -> Polynomial:
     return {key: c for key, c in terms.items() if c}
 
 
+def cancelled(numbers: Numbers, products: Sequence[tuple[Polynomial, Polynomial]]) -> bool:
+    """Whether products add up to zero: in integers, with the exponents of tangents and generators in one more each."""
+    whole = []
+    pairs = ([pair[k] for pair in products] for k in (0, 1))
+    sides = [[[((*e, *g), c) for e, n in p.items() for g, c in n.terms.items()] for p in side] for side in pairs]
+    digit = sum(max((max(key, default=0) for p in side for key, _ in p), default=0) for side in sides).bit_length()
+    for side in sides:
+        scale = lcm(*(c.denominator for p in side for _, c in p))
+        whole.append([[(sum(e << digit * k for k, e in enumerate(key)), int(c * scale)) for key, c in p] for p in side])
+    total: dict[int, int] = {}
+    for one, two in zip(*whole, strict=True):
+        for i, x in one:
+            for j, y in two:
+                total[i + j] = total.get(i + j, 0) + x * y
+    left: dict[int, dict[Key, Fraction]] = {}  # what stands before each product of tangents
+    tangents = digit * len(next(iter(products[0][1])))
+    for key, c in total.items():
+        powers = tuple((key >> tangents + digit * k) % (1 << digit) for k in range(numbers.count))
+        left.setdefault(key % (1 << tangents), {})[powers] = Fraction(c)
+    return not any(numbers.reduced(terms) for terms in left.values())
+
+
 def closed(numbers: Numbers, factors: Sequence[tuple[int, Screw]], count: int) -> list[Polynomial]:
     """The product of 1 + t (w + eps v), a dual quaternion: no displacement where all but its first part is zero."""
     pose = [{(0,) * count: numbers.one}, *({} for _ in range(7))]
@@ -601,6 +625,7 @@ class Block:
         self.brackets: list[list[tuple[int, int, Screw]]] = []
         self.tied_columns = [{at[c]: powers for c, powers in mechanism.ties[k].items()} for k in self.ties]
 
+    @cached_property
     def dimensions(self) -> tuple[int, int, list[int] | None, bool]:
         """(least, most dimension of the real motion; those of all branches, or None; whether it is smooth)."""
         proof, width = self.entry["proof"], len(self.columns)
@@ -609,7 +634,7 @@ class Block:
         if kind == "none":
             return (0, high, None, False) if high else (0, 0, [0], True)
         if kind == "rigid":
-            return self.rest(proof).dimensions()
+            return self.rest(proof).dimensions
         if kind == "nested":
             self.nested(proof)
             need(low == high, "a rank that is not decided")
@@ -656,7 +681,7 @@ class Block:
 
     def resting(self) -> list[str]:
         """Joints that are shown not to move: of parts that do not move at all, and of rigid loops."""
-        if not self.dimensions()[1]:
+        if not self.dimensions[1]:
             return self.names
         proof = self.entry["proof"]
         if proof["kind"] != "rigid":
@@ -681,7 +706,7 @@ class Block:
         alone = self.mechanism.alone(proof["joints"])
         need(len(alone.blocks) == len(proof["parts"]), "parts that are missing")
         inside = [Block(alone, ("block", str(k)), entry) for k, entry in enumerate(proof["parts"])]
-        found = [part.dimensions() for part in inside]  # once: parts hold parts
+        found = [part.dimensions for part in inside]
         need(all(smooth for *_, smooth in found), "joints whose own loops are not smooth")
         own = sum(len(part.columns) - least for part, (least, *_) in zip(inside, found, strict=True))
         others = len(self.loops) - len(alone.loops)
@@ -727,11 +752,10 @@ class Block:
         numbers, count = self.numbers, len(self.columns)
         unit = polynomial(numbers, shown["unit"], count)
         need(_apart(numbers.interval(unit.get((0,) * count, numbers.zero))), "a unit that may be zero")
-        left = multiplied(unit, p)
-        for other, given in zip(others, shown["factors"], strict=True):
-            for key, c in multiplied(other, polynomial(numbers, given, count)).items():
-                left[key] = left[key] - c if key in left else -c
-        need(not any(left.values()), "a polynomial that is not the combination shown")
+        given = [polynomial(numbers, f, count) for f in shown["factors"]]
+        less = {key: -c for key, c in p.items()}
+        same = cancelled(numbers, [(less, unit), *zip(others, given, strict=True)])
+        need(same, "a polynomial that is not the combination shown")
 
     def tied(self, proof: Any) -> None:
         """Smooth without the couplings, and these independent on its motions: smooth, by implicit functions.
@@ -743,7 +767,7 @@ class Block:
         loops = 0
         for k, entry in zip(inside, proof["parts"], strict=True):
             part = Block(self.mechanism, ("untied", str(k)), entry)
-            least, _, _, smooth = part.dimensions()
+            least, _, _, smooth = part.dimensions
             need(smooth, "a part that is not smooth without couplings")
             loops += len(part.columns) - least
         alike = null_space(self.numbers, self.mechanism.powers(self.ties), proof["implied"])
@@ -974,7 +998,7 @@ def facts_of(mechanism: Mechanism, entry: Any) -> dict[str, Any]:
     }
     if least == most:
         found["instantaneous mobility"], found["redundant constraints"] = freedoms - least, 6 * loops + ties - least
-    _add_motion(found, [part.dimensions() for part in parts], freedoms - sum(len(part.columns) for part in parts))
+    _add_motion(found, [part.dimensions for part in parts], freedoms - sum(len(part.columns) for part in parts))
     if resting := sorted(name for part in parts for name in part.resting()):
         found["joints at rest"] = resting
     for name, given in entry["ranks"].items():

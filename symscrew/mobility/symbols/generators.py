@@ -25,6 +25,7 @@ from sympy.polys.rings import PolyRing
 from symscrew.algebra import CONTEXT, high_precision
 from symscrew.description import Mechanism
 from symscrew.mobility.symbols.atoms import atoms_of
+from symscrew.mobility.symbols.common_divisor import divisor
 from symscrew.mobility.symbols.exact_field import Field
 from symscrew.mobility.symbols.exact_numbers import NotDecidableError, Number
 from symscrew.mobility.symbols.half_angles import Angle, shared_factor, terms_as_forms
@@ -115,7 +116,7 @@ class Generators:
             return Quotient(top, self.ring.one)
         if bottom.is_ground:
             return Quotient(top.quo_ground(bottom.coeff(1)), self.ring.one)
-        common = top.gcd(bottom)
+        common = divisor(top, bottom)
         return Quotient(top, bottom) if common == 1 else Quotient(top.exquo(common), bottom.exquo(common))
 
     def shortest(self, poly: Poly) -> Poly:
@@ -191,7 +192,7 @@ class Generators:
         """The greatest common divisor as polynomials (1 where all are zero)."""
         result = self.ring.zero
         for poly in polys:
-            result = result.gcd(poly)
+            result = divisor(result, poly)
             if result == 1:
                 break
         return result or self.ring.one
