@@ -87,6 +87,7 @@ def run(options: argparse.Namespace) -> int:
         AZIMUTH,
         TILT,
         all_around,
+        around_holes,
         check_drawn,
         held_store,
         prepare_sweep,
@@ -125,7 +126,7 @@ def run(options: argparse.Namespace) -> int:
             print(f"note: {notice}", file=sys.stderr)
     with held_store(folder, plan) as kept:
         sweep(plan, kept, scheduler=options.dask, processes=options.processes)
-        results = kept.whole()
+        results = around_holes(plan, kept.whole())
         found = sweep_summary(plan, results, made.units, made.engine.text)
         if single:
             written = [(save_npz if out.suffix == ".npz" else save_csv)(out, results)]

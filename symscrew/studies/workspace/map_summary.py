@@ -30,6 +30,7 @@ def sweep_summary(plan: Plan, results: Results, units: Mapping[str, str], engine
         "cases": plan.count,
         **({"engine": engine} if engine else {}),
         "reached": int((results["reached"] > 0).sum()),
+        **({"around": around} if (around := int(results.get("around", np.zeros(1)).sum())) else {}),
         "regular": int(((results["reached"] > 0) & (results["regular"] > 0)).sum()),
         "allowed": int(allowed.sum()),
         **({"mode": plan.mode} if plan.mode else {}),
@@ -180,11 +181,12 @@ def sweep_summary_text(found: Mapping[str, Any]) -> str:
     """The summary as text and tables."""
     units = found.get("axis_units", {})  # of a summary that an older version wrote
     axes = ", ".join(_axis(name, ends, units.get(name, "1")) for name, ends in found["axes"].items())
+    around = f", {found['around']} more round holes" if "around" in found else ""
     in_mode = f" in mode {found['mode']}" if "mode" in found else ""
     lines = [
         f"{found['mechanism']}{in_mode}: {found['cases']} cases{': ' if axes else ''}{axes}",
-        f"{found['reached']} are reached straight from the start, {found['regular']} of them without passing a "
-        f"singularity, {found['allowed']} also within all limits",
+        f"{found['reached'] - found.get('around', 0)} are reached straight from the start{around}, "
+        f"{found['regular']} of them without passing a singularity, {found['allowed']} also within all limits",
     ]
     if "engine" in found:
         lines.append(f"computed by {found['engine']}")
