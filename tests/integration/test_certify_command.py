@@ -123,3 +123,10 @@ def test_a_parameter_is_an_edge_like_any_other() -> None:
 def test_a_plan_in_another_mode_is_no_proof_of_the_reference_in_silence() -> None:
     with pytest.raises(DescriptionError, match="begin in the reference configuration"):
         certify(Plan(catalogue.load("five_bar"), (), (Axis("base_left", -0.1, 0.1, 3),), mode="-1"))
+
+
+def test_no_tilt_is_proved_where_nothing_is(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """It ended in a KeyError."""
+    over = ["tilt=0:1deg:3", "azimuth=0:360deg", "--limit", "limb1_P=5:6", "--expect-tilt", "0deg"]
+    assert main(["workspace", "three_ups_upu_s", "--certify", "--over", *over, "--out", str(tmp_path / "a.json")]) == 1
+    assert "nothing is proved" in capsys.readouterr().out

@@ -45,3 +45,30 @@ def test_only_what_goes_all_around_says_so(
     found = sweep_summary(plan, {"reached": ones, "regular": ones, "allowed": ones}, {})
     assert ("every_direction" in found["tilt"]) is every
     assert ("reached in every direction" in sweep_summary_text(found)) is every
+
+
+@pytest.mark.parametrize(
+    "tilts, failed, reach",
+    [
+        ((0, 10, 3), (), 10),
+        ((0, 10, 3), (2,), 5),
+        ((0, 10, 3), (0,), None),  # not even upright, which counted as a tilt of 0 reached
+        ((0, 10, 3), (1,), 0),
+        ((-10, 10, 5), (3,), 0),  # +5 degrees fails: -5 alone counted as 5 degrees in every direction
+        ((-10, 10, 5), (1,), 0),
+        ((-10, 10, 5), (0, 4), 5),
+        ((-10, 10, 5), (2,), None),
+    ],
+)
+def test_a_tilt_is_reached_where_all_up_to_it_are_allowed(
+    tilts: tuple[float, float, int], failed: tuple[int, ...], reach: float | None
+) -> None:
+    """At one azimuth the tilts of these numbers are not allowed."""
+    plan = plan_over(tilts, (0, 180, 5) if tilts[0] < 0 else (0, 360, 9))
+    allowed = np.ones((plan.axes[0].count, plan.axes[1].count))
+    allowed[list(failed), 1] = 0
+    found = sweep_summary(plan, {"reached": allowed * 0 + 1, "regular": allowed, "allowed": allowed.ravel()}, {})
+    every = found["tilt"]["every_direction"]
+    assert (every is None) is (reach is None) and (reach is None or abs(every - reach * DEG) < 1e-12)
+    said = "not even upright is allowed at azimuth 45 deg" if reach is None else f"tilt of {reach} degrees reached in"
+    assert said in sweep_summary_text(found)

@@ -1,6 +1,6 @@
 """Maps over independent coordinates and parameters: workspace, design studies, tolerances.
 
-Plan --engine (chunks in parallel)--> evaluation --> store --> map_summary, maps
+Plan --engine (chunks in parallel)--> evaluation --> store --> around --> map_summary, maps
 """
 
 from typing import TYPE_CHECKING
@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 from symscrew.doors import doors
 
 if TYPE_CHECKING:
+    from symscrew.studies.workspace.around import around_holes
+    from symscrew.studies.workspace.case_columns import result_units
     from symscrew.studies.workspace.configurations import (
         SINGULAR,
         Call,
@@ -25,7 +27,6 @@ if TYPE_CHECKING:
         has_own_axes,
         prepare_sweep,
         quaternion_labels,
-        result_units,
     )
     from symscrew.studies.workspace.map_summary import all_around, sweep_summary, sweep_summary_text
     from symscrew.studies.workspace.maps import draw_maps
@@ -53,6 +54,7 @@ __all__ = [
     "Store",
     "Sweep",
     "all_around",
+    "around_holes",
     "calls_of",
     "check_drawn",
     "check_numbers",

@@ -1,4 +1,4 @@
-"""Configurations of many cases at once: each walks alone from the reference configuration to where it is wanted.
+"""Configurations of many cases at once: each walks alone from where it starts to where it is wanted.
 
 A case's result depends on its own coordinates and parameters only, not on its neighbours, so that a sweep gives the
 same numbers however it is cut and wherever its pieces run.
@@ -49,10 +49,10 @@ def independent_labels(model: Model) -> tuple[str, ...]:
 
 
 def reference_coordinates(model: Model, begin: Array | None = None) -> Array:
-    """y in the reference configuration."""
+    """y in the reference configuration, or in others (..., nq)."""
     labels = [c.label for c in model.system.tree.q]
     q = model.system.reference if begin is None else begin
-    return np.asarray(q[[labels.index(label) for label in independent_labels(model)]])
+    return np.asarray(q[..., [labels.index(label) for label in independent_labels(model)]])
 
 
 def walk(
@@ -65,6 +65,7 @@ def walk(
     watch: bool = True,
     reach: Reach | None = None,
     begin: Array | None = None,
+    origin: tuple[Array, Array | None] | None = None,
 ) -> tuple[Array, Array, dict[str, Array], Array]:
     """Configurations q (cases, nq) at independent coordinates y (cases, ny), by equal steps from the reference.
 
@@ -76,6 +77,8 @@ def walk(
         steps: of the walk.
         watch: whether to look at the margins on the way.
         begin: configuration (nq,) from which it starts in place of the reference.
+        origin: configurations (cases, nq) and run-time parameters (cases, np) from which each case starts instead;
+            margins are compared with those of the reference, or of `begin`.
         reach: takes over from y: what brings all cases to a part of the way to where they are wanted.
 
     Returns:
@@ -85,14 +88,16 @@ def walk(
         by more in a step, or in a neighbour of it, than it is off zero at its ends.
     """
     count = len(y)
-    start = np.repeat(reference_coordinates(model, begin)[None, :], count, 0)
-    p0 = np.repeat(model.system.parameter_values[None, :], count, 0)
-    p1 = p0 if parameters is None else parameters
-    first_q = model.system.reference if begin is None else begin
-    q, status = np.repeat(first_q[None, :], count, 0), np.zeros(count, dtype=int)
+    first_q, first_p = model.system.reference if begin is None else begin, model.system.parameter_values
+    q, p0 = (np.repeat(of[None, :], count, 0) for of in (first_q, first_p)) if origin is None else origin
+    if p0 is None:
+        p0 = np.zeros((count, 0))
+    start, p1 = reference_coordinates(model, q), p0 if parameters is None else parameters
+    status = np.zeros(count, dtype=int)
     extra = (p0,) if p0.shape[1] else ()
     first = start_margins(model, call, begin) if watch else {}
-    along = {name: [np.ones(count)] for name in first}
+    here = watched_margins(model, call, q, extra) if watch and origin is not None else {}
+    along = {name: [here[name] / value if here else np.ones(count)] for name, value in first.items()}
     for k in range(1, steps + 1):
         part = k / steps
         extra = ((1 - part) * p0 + part * p1,) if p0.shape[1] else ()

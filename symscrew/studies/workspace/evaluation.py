@@ -1,4 +1,7 @@
-"""One piece of a sweep: from the values of the axes to all results, by the compiled batch functions."""
+"""Cases of a sweep: from the values of the axes to all results, by the compiled batch functions.
+
+Plan, numbers --cases_of--> Cases --arrived (walks)--> Arrival --results_at--> results by name
+"""
 
 from __future__ import annotations
 
@@ -11,10 +14,10 @@ import numpy as np
 from symscrew.assembly import configuration_in_mode
 from symscrew.description import Mechanism, check_values_of, exact, followed, in_si
 from symscrew.errors import DescriptionError
-from symscrew.export import tool_name
 from symscrew.kinematics import BODY_PARTS, coordinate_units, full_name, nearest_names
 from symscrew.model import Model
 from symscrew.simulation import derived_model
+from symscrew.studies.workspace.case_columns import columns_at, result_units
 from symscrew.studies.workspace.configurations import (
     FINER,
     FINEST,
@@ -29,7 +32,6 @@ from symscrew.studies.workspace.named_coordinates import NamedCoordinates
 from symscrew.studies.workspace.plan import AZIMUTH, TILT, Plan
 
 Array = np.ndarray
-SINGULAR = 1e-9  # of R, relative: below, the platform has twists that no rates give, and the condition is infinite
 WORDS = {"m": "a length [m, mm]", "rad": "an angle [rad, deg]", "1": "a plain number"}
 NEEDED = (
     "assemble", "joint_displacements", "drive_rates", "null_space", "platform_jacobian", "forward_kinematics",
@@ -105,26 +107,71 @@ def prepare_sweep(plan: Plan) -> Prepared:
 def evaluate(plan: Plan, chunk: int) -> dict[str, Array]:
     """All results of a piece: name -> values (cases)."""
     made = prepare_sweep(plan)
-    model, call = made.model, made.call
-    values = plan.cases(chunk)
-    y, p = _wanted(plan, made, values, plan.deviations(chunk))
+    cases = cases_of(plan, made, np.arange(chunk * plan.chunk, min((chunk + 1) * plan.chunk, plan.count)))
+    return results_at(plan, made, cases, arrived(plan, made, cases))
+
+
+@dataclass(frozen=True)
+class Cases:
+    """Values of the axes (cases, axes), independent coordinates y (cases, ny) and run-time parameters, None of none."""
+
+    values: Array
+    y: Array
+    p: Array | None
+
+    def __getitem__(self, which: Array) -> Cases:
+        """Some of them."""
+        return Cases(self.values[which], self.y[which], self.p if self.p is None else self.p[which])
+
+
+@dataclass(frozen=True)
+class Arrival:
+    """Configurations q (cases, nq), NaN where none, status (cases), least margins on the way by name (cases)."""
+
+    q: Array
+    status: Array
+    least: Mapping[str, Array]
+
+    @property
+    def reached(self) -> Array:
+        """Where the loops close all along the way (cases)."""
+        return np.asarray((self.status == 0) & np.isfinite(self.q).all(axis=1))
+
+    @property
+    def regular(self) -> Array:
+        """Where no margin comes to zero on the way (cases)."""
+        passed = [value > 0 for value in self.least.values()]
+        return np.asarray(np.all(passed, axis=0)) if passed else np.ones(len(self.q), dtype=bool)
+
+
+def cases_of(plan: Plan, made: Prepared, numbers: Array) -> Cases:
+    """The cases of these numbers."""
+    values = plan.values_of(numbers)
+    return Cases(values, *_wanted(plan, made, values, plan.deviations_of(numbers)))
+
+
+def arrived(plan: Plan, made: Prepared, cases: Cases, origin: tuple[Cases, Array] | None = None) -> Arrival:
+    """Where the walks to cases end: from the reference, or from other cases with their configurations (cases, nq)."""
     with np.errstate(all="ignore"):
-        q, status, least, close = _walked(plan, made, values, (y, p))
-        least = _looked_closer(plan, made, values, (y, p), least=least, close=close)
-        extra = (p,) if p is not None else ()
-        results = {axis.name: values[:, k] for k, axis in enumerate(plan.axes)}
-        if p is not None:
+        q, status, least, close = _walked(plan, made, cases, origin)
+        return Arrival(q, status, _looked_closer(plan, made, cases, origin, least=least, close=close))
+
+
+def results_at(plan: Plan, made: Prepared, cases: Cases, at: Arrival, *, around: bool = False) -> dict[str, Array]:
+    """All results of cases in their configurations; `around`: whether the ways there were not straight ones."""
+    model, call, q = made.model, made.call, at.q
+    with np.errstate(all="ignore"):
+        extra = (cases.p,) if cases.p is not None else ()
+        results = {axis.name: cases.values[:, k] for k, axis in enumerate(plan.axes)}
+        if cases.p is not None:
             names = [n for n, q_ in model.mechanism.parameters.items() if q_.run_time]
-            results |= {n: p[:, names.index(n)] for n in plan.parameters if n not in results}
-        results["status"] = status.astype(float)
-        results |= _kinematics(model, call, q, extra)
-        results |= _statics(model, call, q, extra)
-        results |= _quality(model, call, q, extra, stiffness=plan.stiffness)
-        results |= _margins(model, call, q, extra)
-        passed = [np.where(value > 0, 1.0, 0.0) for value in least.values()]
-        results["regular"] = np.min(passed, axis=0) if passed else np.ones(len(q))
-        results["reached"] = np.where((status == 0) & np.isfinite(q).all(axis=1), 1.0, 0.0)
-        fits = (results["reached"] > 0) & (results["regular"] > 0)
+            results |= {n: cases.p[:, names.index(n)] for n in plan.parameters if n not in results}
+        results["status"] = at.status.astype(float)
+        results |= columns_at(model, call, q, extra, stiffness=plan.stiffness)
+        results["regular"] = at.regular.astype(float)
+        results["reached"] = at.reached.astype(float)
+        results["around"] = np.full(len(q), float(around))
+        fits = at.reached & at.regular
         for name, low, high in plan.limits:
             fits &= (results[name] >= low) & (results[name] <= high)
         results["allowed"] = fits.astype(float)
@@ -132,18 +179,21 @@ def evaluate(plan: Plan, chunk: int) -> dict[str, Array]:
 
 
 def _walked(
-    plan: Plan, made: Prepared, values: Array, wanted: tuple[Array, Array | None]
+    plan: Plan, made: Prepared, cases: Cases, origin: tuple[Cases, Array] | None
 ) -> tuple[Array, Array, dict[str, Array], Array]:
-    named = _named(plan, made, values)
+    named = _named(plan, made, cases.values, None if origin is None else origin[0].values)
     reach = named.reached if named else None
-    return walk(made.model, made.call, *wanted, steps=plan.steps, reach=reach, begin=made.begin)
+    start = None if origin is None else (origin[1], origin[0].p)
+    return walk(
+        made.model, made.call, cases.y, cases.p, steps=plan.steps, reach=reach, begin=made.begin, origin=start
+    )  # fmt: skip
 
 
 def _looked_closer(
     plan: Plan,
     made: Prepared,
-    values: Array,
-    wanted: tuple[Array, Array | None],
+    cases: Cases,
+    origin: tuple[Cases, Array] | None,
     *,
     least: dict[str, Array],
     close: Array,
@@ -152,7 +202,6 @@ def _looked_closer(
 
     Only margins are taken from shorter steps: configurations stay those of the walk.
     """
-    y, p = wanted
     found, steps = {name: value.copy() for name, value in least.items()}, plan.steps
     left = np.flatnonzero(close)
     while found and steps * FINER <= FINEST:
@@ -161,7 +210,7 @@ def _looked_closer(
             break
         steps *= FINER
         finer = replace(plan, steps=steps)
-        _, _, now, close = _walked(finer, made, values[left], (y[left], p if p is None else p[left]))
+        _, _, now, close = _walked(finer, made, cases[left], origin and (origin[0][left], origin[1][left]))
         for name, value in now.items():
             found[name][left] = np.fmin(found[name][left], value)
         left = left[close]
@@ -242,14 +291,20 @@ def has_own_axes(plan: Plan, model: Model) -> bool:
     return all(full_name(mechanism, axis.name) in own for axis in plan.axes)
 
 
-def _named(plan: Plan, made: Prepared, values: Array) -> NamedCoordinates | None:
-    """What is wanted by names that are no independent coordinates; None where these say all."""
+def _named(plan: Plan, made: Prepared, values: Array, start: Array | None = None) -> NamedCoordinates | None:
+    """What is wanted by names that are no independent coordinates; None where these say all.
+
+    `start`: values of the axes where the walks begin; those of the reference if none.
+    """
     mechanism = made.model.mechanism
     if has_own_axes(plan, made.model):
         return None
-    names = [full_name(mechanism, axis.name) for axis in plan.axes]
-    wanted = {n: values[:, k] for k, n in enumerate(names) if n not in mechanism.parameters}
-    return NamedCoordinates(made.model, made.call, wanted)
+    own = [(k, full_name(mechanism, axis.name)) for k, axis in enumerate(plan.axes)]
+    wanted, begun = (
+        {n: of[:, k] for k, n in own if n not in mechanism.parameters} if of is not None else {}
+        for of in (values, start)
+    )
+    return NamedCoordinates(made.model, made.call, wanted, begun)
 
 
 def _check_unit(option: str, name: str, typed: str, own: str) -> None:
@@ -294,131 +349,3 @@ def _wanted(plan: Plan, made: Prepared, values: Array, deviations: Array) -> tup
     for k, (name, _) in enumerate(plan.tolerances):
         p[:, names.index(name)] += deviations[:, k]
     return y, p
-
-
-def result_units(model: Model) -> dict[str, str]:
-    """Result -> unit, of all that every case has; axes and varied parameters are results as well."""
-    units = {"condition": "1", "stiffness least": "N m", "stiffness largest": "N m"} if _moved_by_drives(model) else {}
-    port = model.programs["joint_displacements"].outputs[0]
-    units |= dict(zip(port.labels, port.units, strict=True))
-    if "forward_kinematics" in model.programs:
-        port = model.programs["forward_kinematics"].outputs[0]
-        units |= {f"point {label}": "m" for label in port.labels if label.rpartition(".")[0] in _moving(model)}
-    if "inverse_dynamics" in model.programs:
-        port = model.programs["inverse_dynamics"].outputs[0]
-        units |= {f"drive {label}": unit for label, unit in zip(port.labels, port.units, strict=True)}
-    for kind in ("limb_margins", "constraint_margin", "actuation_margins"):
-        if kind in model.programs:
-            units |= {f"{kind.split('_')[0]} {n}": "1" for n in model.programs[kind].outputs[0].labels}
-            units["margin"] = "1"
-    return units | {"reached": "1", "regular": "1", "allowed": "1", "status": "1"}
-
-
-def _moved_by_drives(model: Model) -> bool:
-    """Whether there is a platform whose motion the drives determine, so that it has a condition and a stiffness."""
-    named = model.mechanism.platform is not None and "platform_jacobian" in model.programs
-    return named and bool(model.system.drives)
-
-
-def _moving(model: Model) -> set[str]:
-    """Points of the description that move."""
-    return {name for name, p in model.mechanism.points.items() if p.body != model.mechanism.ground}
-
-
-def _kinematics(model: Model, call: Call, q: Array, extra: tuple[Array, ...]) -> dict[str, Array]:
-    """Displacements of all joints [rad, m] and places of the points that move [m]."""
-    port = model.programs["joint_displacements"].outputs[0]
-    found = call("joint_displacements", q, *extra)[0][0]
-    results = {label: found[:, k] for k, label in enumerate(port.labels)}
-    if "forward_kinematics" in model.programs:
-        port = model.programs["forward_kinematics"].outputs[0]
-        places = call("forward_kinematics", q, *extra)[0][0]
-        moving = _moving(model)
-        results |= {
-            f"point {label}": places[:, k] for k, label in enumerate(port.labels) if label.rpartition(".")[0] in moving
-        }
-    return results
-
-
-def _statics(model: Model, call: Call, q: Array, extra: tuple[Array, ...]) -> dict[str, Array]:
-    """Forces and torques of the drives that hold the mechanism at rest."""
-    if "inverse_dynamics" not in model.programs:
-        return {}
-    program = model.programs["inverse_dynamics"]
-    known = {"q": q, **({"p": extra[0]} if extra else {})}
-    given = [known.get(port.name, np.zeros((len(q), port.size))) for port in program.inputs]
-    u = call("inverse_dynamics", *given)[0][0]
-    return {f"drive {label}": u[:, k] for k, label in enumerate(program.outputs[0].labels)}
-
-
-def _quality(model: Model, call: Call, q: Array, extra: tuple[Array, ...], *, stiffness: float) -> dict[str, Array]:
-    """Condition number and stiffness of the platform's motion, with lengths divided by the characteristic length.
-
-    Twists are those at the platform's tool: at O they would depend on where the mechanism stands in the world. With an
-    orthonormal basis Q of the platform's twists (omega ; v/L), drives turn or slide at M y where M = A R^-1:
-    A takes independent rates to drive rates, (omega ; v/L) = Q R of them. The condition number is that of M with
-    sliding drives divided by L, infinite where R is singular; the stiffness K = M^T diag(k) M has as eigenvalues the
-    least and largest stiffness [N m] against a unit of such a twist.
-    """
-    if not _moved_by_drives(model):
-        return {}
-    system = model.system
-    count, nv = len(q), len(system.tree.v)
-    null = _matrix(call, "null_space", (q, *extra), nv) if "null_space" in model.programs else None
-    basis = np.repeat(np.eye(nv)[None], count, 0) if null is None else null
-    drives = np.stack(
-        [call("drive_rates", q, np.ascontiguousarray(basis[:, :, k]), *extra)[0][0] for k in range(basis.shape[2])],
-        axis=2,
-    )
-    twists = _matrix(call, "platform_jacobian", (q, *extra), 6) @ basis
-    length = system.length
-    twists[:, 3:] += np.cross(twists[:, :3], _tool(model, call, q, extra)[:, :, None], axis=1)
-    twists[:, 3:] /= length
-    slides = np.array([unit == "m/s" for unit in model.programs["drive_rates"].outputs[0].units])
-    good = np.isfinite(twists).all(axis=(1, 2)) & np.isfinite(drives).all(axis=(1, 2))
-    condition, least, largest = (np.full(count, np.nan) for _ in range(3))
-    if good.any() and twists.shape[2] <= 6:
-        _, R = np.linalg.qr(twists[good])
-        diagonal = np.abs(np.diagonal(R, axis1=1, axis2=2))
-        regular = diagonal.min(axis=1) > SINGULAR * diagonal.max(axis=1)
-        place = np.flatnonzero(good)[regular]
-        condition[good] = np.inf
-        M = drives[place] @ np.linalg.inv(R[regular])
-        scaled = M / np.where(slides, length, 1.0)[:, None]
-        values = np.linalg.svd(scaled, compute_uv=False)
-        if scaled.shape[1] >= scaled.shape[2]:
-            condition[place] = values[:, 0] / values[:, -1]
-            stiff = np.linalg.svd(M * np.sqrt(np.where(slides, 1.0, length**2) * stiffness)[:, None], compute_uv=False)
-            least[place], largest[place] = stiff[:, -1] ** 2, stiff[:, 0] ** 2
-    return {"condition": condition, "stiffness least": least, "stiffness largest": largest}
-
-
-def _tool(model: Model, call: Call, q: Array, extra: tuple[Array, ...]) -> Array:
-    """Where the platform's tool is (cases, 3) [m]: its point of that name, else the middle of its joints' points."""
-    name, mechanism = tool_name(model), model.mechanism
-    if name is not None:
-        labels = list(model.programs["forward_kinematics"].outputs[0].labels)
-        at = call("forward_kinematics", q, *extra)[0][0]
-        return np.asarray(at[:, [labels.index(f"{name}.{axis}") for axis in "xyz"]])
-    own = [k for k, j in enumerate(mechanism.joints.values()) if mechanism.platform in (j.parent, j.child)]
-    return np.asarray(_matrix(call, "joint_points", (q, *extra), 3)[:, :, own].mean(axis=2))
-
-
-def _matrix(call: Call, name: str, inputs: tuple[Array, ...], rows: int) -> Array:
-    """A function's matrix (cases, rows, columns), which it gives column by column."""
-    flat = call(name, *inputs)[0][0]
-    return flat.reshape(len(flat), -1, rows).transpose(0, 2, 1).copy()
-
-
-def _margins(model: Model, call: Call, q: Array, extra: tuple[Array, ...]) -> dict[str, Array]:
-    """Every margin at the configuration, by kind and name."""
-    results: dict[str, Array] = {}
-    for kind in ("limb_margins", "constraint_margin", "actuation_margins"):
-        if kind in model.programs:
-            values = call(kind, q, *extra)[0][0]
-            labels = model.programs[kind].outputs[0].labels
-            results |= {f"{kind.split('_')[0]} {label}": values[:, k] for k, label in enumerate(labels)}
-    relative = [results[name] / value for name, value in start_margins(model, call).items()]
-    if relative:
-        results["margin"] = np.min(relative, axis=0)
-    return results

@@ -30,6 +30,7 @@ def sweep_summary(plan: Plan, results: Results, units: Mapping[str, str], engine
         "cases": plan.count,
         **({"engine": engine} if engine else {}),
         "reached": int((results["reached"] > 0).sum()),
+        **({"around": around} if (around := int(results.get("around", np.zeros(1)).sum())) else {}),
         "regular": int(((results["reached"] > 0) & (results["regular"] > 0)).sum()),
         "allowed": int(allowed.sum()),
         **({"mode": plan.mode} if plan.mode else {}),
@@ -49,14 +50,15 @@ def sweep_summary(plan: Plan, results: Results, units: Mapping[str, str], engine
     if reach is not None:
         azimuths, tilts = reach
         least = "every_direction" if all_around(plan) else "directions_looked_at"
-        found["tilt"] = {"azimuth": azimuths.tolist(), "reach": tilts.tolist(), least: float(tilts.min())}
+        reached = [_bound(tilt) for tilt in tilts.tolist()]
+        found["tilt"] = {"azimuth": azimuths.tolist(), "reach": reached, least: _bound(float(tilts.min()))}
     if plan.tolerances:
         found["tolerance"] = _tolerances(plan, results, units)
     return found
 
 
 def tilt_reach(plan: Plan, results: Results) -> tuple[np.ndarray, np.ndarray] | None:
-    """(azimuth, largest tilt up to which all tilts are allowed) [rad]; None without these axes.
+    """(azimuth, largest tilt up to which all tilts are allowed) [rad], NaN where the least is not; None without them.
 
     All other axes and samples must be allowed, too.
     """
@@ -68,10 +70,10 @@ def tilt_reach(plan: Plan, results: Results) -> tuple[np.ndarray, np.ndarray] | 
     first = np.moveaxis(first, (names.index(AZIMUTH), names.index(TILT)), (0, 1))
     allowed = np.all(first.reshape(first.shape[0], first.shape[1], -1), axis=2)
     azimuth, tilt = plan.axes[names.index(AZIMUTH)].values, plan.axes[names.index(TILT)].values
-    order = np.argsort(np.abs(tilt), kind="stable")
-    good = np.logical_and.accumulate(allowed[:, order], axis=1)
-    size = np.abs(tilt[order])
-    return azimuth, np.where(good.any(axis=1), size[np.maximum(good.sum(axis=1) - 1, 0)], 0.0)
+    size = np.abs(tilt)
+    failed = np.where(allowed, np.inf, size).min(axis=1, keepdims=True)  # the least tilt that is not
+    inside = size < failed * (1 - NOISE)  # of tilts of both signs neither may fail
+    return azimuth, np.where(inside.any(axis=1), np.where(inside, size, 0.0).max(axis=1), np.nan)
 
 
 def all_around(plan: Plan) -> bool:
@@ -162,24 +164,34 @@ def _axis(name: str, ends: Sequence[float], unit: str) -> str:
     return f"{name} {low * factor:.6g} to {high * factor:.6g}{'' if shown == '1' else f' {shown}'} ({count})"
 
 
+def _tilt(found: Mapping[str, Any]) -> str:
+    """How far the platform tilts, in a sentence; the least tilt that was looked at may not be allowed."""
+    everywhere = "every_direction" in found
+    least = found["every_direction" if everywhere else "directions_looked_at"]
+    if least is None:
+        where = found["azimuth"][found["reach"].index(None)] * DEGREE
+        smallest = "not even upright" if everywhere else "not even the least tilt that was looked at"
+        return f"no tilt is reached in every direction: {smallest} is allowed at azimuth {where:.4g} degrees"
+    where_to = "every direction" if everywhere else "the directions that were looked at, which are not all"
+    where = found["azimuth"][found["reach"].index(least)] * DEGREE
+    return f"tilt of {least * DEGREE:.4g} degrees reached in {where_to}; least at azimuth {where:.4g} degrees"
+
+
 def sweep_summary_text(found: Mapping[str, Any]) -> str:
     """The summary as text and tables."""
     units = found.get("axis_units", {})  # of a summary that an older version wrote
     axes = ", ".join(_axis(name, ends, units.get(name, "1")) for name, ends in found["axes"].items())
+    around = f", {found['around']} more round holes" if "around" in found else ""
     in_mode = f" in mode {found['mode']}" if "mode" in found else ""
     lines = [
         f"{found['mechanism']}{in_mode}: {found['cases']} cases{': ' if axes else ''}{axes}",
-        f"{found['reached']} are reached straight from the start, {found['regular']} of them without passing a "
-        f"singularity, {found['allowed']} also within all limits",
+        f"{found['reached'] - found.get('around', 0)} are reached straight from the start{around}, "
+        f"{found['regular']} of them without passing a singularity, {found['allowed']} also within all limits",
     ]
     if "engine" in found:
         lines.append(f"computed by {found['engine']}")
     if "tilt" in found:
-        everywhere = "every_direction" in found["tilt"]
-        worst = found["tilt"]["every_direction" if everywhere else "directions_looked_at"] * DEGREE
-        where_to = "every direction" if everywhere else "the directions that were looked at, which are not all"
-        where = found["tilt"]["azimuth"][int(np.argmin(found["tilt"]["reach"]))] * DEGREE
-        lines.append(f"tilt of {worst:.4g} degrees reached in {where_to}; least at azimuth {where:.4g} degrees")
+        lines.append(_tilt(found["tilt"]))
     if found["ranges"]:
         rows = [
             [name, *(f"{number:.6g}" for number in _without_noise(own, found)), own["unit"]]

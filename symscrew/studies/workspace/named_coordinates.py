@@ -10,7 +10,7 @@ that a function gives can be a goal; the loops have their own Jacobian.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -30,11 +30,15 @@ NOT_CONVERGED = 3  # the status that `assemble` has for it
 
 @dataclass(frozen=True)
 class NamedCoordinates:
-    """Names with the values that every case wants (cases) [rad, m], and the model whose functions say where it is."""
+    """Names with the values that every case wants (cases) [rad, m], and the model whose functions say where it is.
+
+    `begun`: the values (cases) where the walks begin; those of the reference configuration where empty.
+    """
 
     model: Model
     call: Call
     wanted: Mapping[str, Array]
+    begun: Mapping[str, Array] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         """Raises DescriptionError for a coordinate that no function of the model gives."""
@@ -49,7 +53,7 @@ class NamedCoordinates:
         return list(self.model.programs["joint_displacements"].outputs[0].labels)
 
     def reached(self, part: float, q: Array, extra: Sequence[Array]) -> tuple[Array, Array]:
-        """q (cases, nq) with the goals at a part of the way from the reference, and status (cases)."""
+        """q (cases, nq) with the goals at a part of the way from where it begins, and status (cases)."""
         system, q = self.model.system, np.array(q)
         units = np.array([system.length if c.kind == "length" else 1.0 for c in system.tree.v])
         goals = self._goals(part, len(q))
@@ -76,10 +80,12 @@ class NamedCoordinates:
             if name in self._displacements:
                 k = self._displacements.index(name)
                 slides = self.model.programs["joint_displacements"].outputs[0].units[k] == "m"
-                rows.append(_displacement(k, (1 - part) * start[k] + part * value, slides))
+                first = self.begun.get(name, start[k])
+                rows.append(_displacement(k, (1 - part) * first + part * value, slides))
             else:
                 body, _, end = name.rpartition(".")
-                poses.setdefault(body, {})[end] = part * value if end != "azimuth" else value
+                first = self.begun.get(name, value if end == "azimuth" else 0.0)  # upright has any azimuth
+                poses.setdefault(body, {})[end] = (1 - part) * first + part * value
         made = [(body, pose_rows(parts, Doubles(), np.tan)) for body, parts in poses.items()]
         return [*made, ("", rows)]
 

@@ -93,10 +93,13 @@ class Plan:
         return hashlib.sha256(text.encode()).hexdigest()[:16]
 
     def cases(self, chunk: int) -> np.ndarray:
-        """Values of the axes (cases, axes) of a piece; the last axis runs fastest, samples faster still."""
-        numbers = np.arange(chunk * self.chunk, min((chunk + 1) * self.chunk, self.count)) // self.samples
+        """Values of the axes (cases, axes) of a piece."""
+        return self.values_of(np.arange(chunk * self.chunk, min((chunk + 1) * self.chunk, self.count)))
+
+    def values_of(self, numbers: np.ndarray) -> np.ndarray:
+        """Values of the axes (cases, axes) of cases by number; the last axis runs fastest, samples faster still."""
         shape = tuple(axis.count for axis in self.axes)
-        places = np.unravel_index(numbers, shape) if shape else ()
+        places = np.unravel_index(numbers // self.samples, shape) if shape else ()
         columns = [axis.values[place] for axis, place in zip(self.axes, places, strict=True)]
         return np.stack(columns, axis=1) if columns else np.zeros((len(numbers), 0))
 
@@ -108,6 +111,14 @@ class Plan:
         count = len(self.cases(chunk))
         stream = np.random.Generator(np.random.PCG64(np.random.SeedSequence([self.seed, chunk])))
         return stream.standard_normal((count, len(self.tolerances))) * [sigma for _, sigma in self.tolerances]
+
+    def deviations_of(self, numbers: np.ndarray) -> np.ndarray:
+        """The same of cases by number."""
+        found = np.zeros((len(numbers), len(self.tolerances)))
+        pieces = numbers // self.chunk
+        for chunk in np.unique(pieces) if self.tolerances else ():
+            found[pieces == chunk] = self.deviations(int(chunk))[numbers[pieces == chunk] % self.chunk]
+        return found
 
 
 def check_numbers(plan: Plan, processes: int | None = None, *, certify: bool = False) -> None:

@@ -1,6 +1,6 @@
 """A sweep as a call: `workspace(mechanism, {"tilt": "0:20deg:21", "azimuth": "0:360deg:73"})`.
 
-axes --Plan--> pieces, on all cores --sweep_summary--> Sweep: results by name, what they say in a few numbers
+axes --Plan--> pieces, on all cores --around_holes--> results --sweep_summary--> Sweep: results by name, a few numbers
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ from symscrew.description import Mechanism
 from symscrew.effects import Effect, Gravity, given_effects
 from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.kinds import public
+from symscrew.studies.workspace.around import around_holes
 from symscrew.studies.workspace.engine import run_locally
 from symscrew.studies.workspace.evaluation import check_drawn, prepare_sweep
 from symscrew.studies.workspace.map_summary import sweep_summary, sweep_summary_text
@@ -123,4 +124,5 @@ def workspace(
     check_drawn(plan, made.model.mechanism)
     pieces = dict(run_locally(plan, range(plan.chunks), processes))
     results = {name: np.concatenate([pieces[k][name] for k in range(plan.chunks)]) for name in pieces[0]}
+    results = around_holes(plan, results)
     return Sweep(plan, results, made.units, sweep_summary(plan, results, made.units, made.engine.text))
