@@ -11,7 +11,7 @@ import json
 import sys
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from symscrew.cli.help import DONE, FAILED, UsageError
 from symscrew.cli.shared_options import (
@@ -81,7 +81,6 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Read, sweep, write, print; 1 if an expected tilt is not reached."""
-    from symscrew.description import GivenValue, exact
     from symscrew.display import print_text
     from symscrew.studies.workspace import (
         AZIMUTH,
@@ -91,8 +90,6 @@ def run(options: argparse.Namespace) -> int:
         check_drawn,
         held_store,
         prepare_sweep,
-        save_csv,
-        save_npz,
         sweep_summary,
         sweep_summary_text,
     )
@@ -120,21 +117,12 @@ def run(options: argparse.Namespace) -> int:
         raise UsageError("--expect-tilt: expected tilt from 0 and azimuth over a whole turn, azimuth=0:360deg:73")
     made = prepare_sweep(plan)
     check_drawn(plan, made.model.mechanism)
-    for axis in plan.axes:
-        far = GivenValue(exact(max(axis.low, axis.high, key=abs)), axis.unit)
-        if notice := far.notice(made.units.get(axis.name, ""), axis.name):
-            print(f"note: {notice}", file=sys.stderr)
+    _tell_far(plan, made.units)
     with held_store(folder, plan) as kept:
         sweep(plan, kept, scheduler=options.dask, processes=options.processes)
         results = around_holes(plan, kept.whole())
         found = sweep_summary(plan, results, made.units, made.engine.text)
-        if single:
-            written = [(save_npz if out.suffix == ".npz" else save_csv)(out, results)]
-        else:
-            written = [save_npz(out / "workspace.npz", results), save_csv(out / "workspace.csv", results)]
-            written.append(write_text(out / "summary.json", json.dumps(found, indent=1) + "\n"))
-            if picture := _picture(plan, results, made.units, out / "workspace.png"):
-                written.append(picture)
+        written = _written(plan, results, found, made.units, out)
         discard(folder)
     if options.json:
         print(json.dumps(found, indent=1))
@@ -145,6 +133,28 @@ def run(options: argparse.Namespace) -> int:
         return DONE
     every = found["tilt"]["every_direction"]  # None where not even upright is allowed
     return DONE if every is not None and every >= expected * (1 - ROUNDING) else FAILED
+
+
+def _tell_far(plan: Plan, units: Mapping[str, str]) -> None:
+    """Notes on ends of axes that look like another unit's."""
+    from symscrew.description import GivenValue, exact
+
+    for axis in plan.axes:
+        far = GivenValue(exact(max(axis.low, axis.high, key=abs)), axis.unit)
+        if notice := far.notice(units.get(axis.name, ""), axis.name):
+            print(f"note: {notice}", file=sys.stderr)
+
+
+def _written(plan: Plan, results: Results, found: Mapping[str, Any], units: Mapping[str, str], out: Path) -> list[Path]:
+    """The one file that was asked for, or arrays, table, summary and maps in a folder."""
+    from symscrew.studies.workspace import save_csv, save_npz
+
+    if out.suffix:
+        return [(save_npz if out.suffix == ".npz" else save_csv)(out, results)]
+    written = [save_npz(out / "workspace.npz", results), save_csv(out / "workspace.csv", results)]
+    written.append(write_text(out / "summary.json", json.dumps(found, indent=1) + "\n"))
+    picture = _picture(plan, results, units, out / "workspace.png")
+    return written if picture is None else [*written, picture]
 
 
 def read_plan(options: argparse.Namespace) -> Plan:

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symscrew.algebra import CONTEXT
+from symscrew.description import Joint
 from symscrew.mobility.analysis import Mobility
 from symscrew.mobility.joint_network import Network
 from symscrew.mobility.screw_systems import Real, Screw, combine, eliminate, unit_rows
@@ -77,7 +78,7 @@ def _screws(found: Mobility) -> list[Found]:
     joints = found.mechanism.joints.values()
     if found.taken is not None or not {joint.type for joint in joints} <= KINDS:
         return []
-    if any(joint.type == "S" and joint.reference for joint in joints):
+    if any(_is_ball(joint) and joint.reference for joint in joints):
         return []
     values = {} if found.in_reference or found.reached is None else found.reached.values
     network, length = found.network, float(found.network.length)
@@ -93,7 +94,7 @@ def _screws(found: Mobility) -> list[Found]:
         for screw, by in pieces[joint.name]:
             made.append(_carried(at, screw))
             at = at @ _exponential(screw, by)
-        if joint.type == "S":  # three turns about one point, in whatever axes: a ball has the same three screws
+        if _is_ball(joint):  # three turns about one point, in whatever axes: a ball has the same three screws
             made = [_carried(at, s) for s, _ in pieces[joint.name]]
         own = np.array([[float(c) for c in s] for s in network.edges[joint.name].screws])
         new = np.array(made) / np.array([1, 1, 1, length, length, length])
@@ -122,13 +123,13 @@ def _poses(found: Mobility, pieces: Mapping[str, list[tuple[Array, float]]]) -> 
         waiting = left
 
 
-def _freedoms(found: Mobility, joint: Any, values: Mapping[str, float]) -> list[tuple[Array, float]]:
+def _freedoms(found: Mobility, joint: Joint, values: Mapping[str, float]) -> list[tuple[Array, float]]:
     """(screw in metres in the reference configuration, displacement) of each freedom; a ball's turn as one of three."""
     number = found.mechanism.number
     point = np.array([float(number(c)) for c in joint.point])
     axes = [np.array([float(number(c)) for c in axis]) for axis in joint.axes]
     axes = [axis / np.linalg.norm(axis) for axis in axes]
-    if joint.type == "S":
+    if _is_ball(joint):
         turn = np.array([values.get(f"{joint.name}.r{c}", 0.0) for c in "xyz"])
         angle = float(np.linalg.norm(turn))
         first = turn / angle if angle else np.array([1.0, 0, 0])
@@ -143,6 +144,10 @@ def _freedoms(found: Mobility, joint: Any, values: Mapping[str, float]) -> list[
         label = joint.name if joint.kind.freedom == 1 else f"{joint.name}.{k}"
         pieces.append((screw, values.get(label, references[k]) - references[k]))
     return pieces
+
+
+def _is_ball(joint: Joint) -> bool:
+    return any(motion.spherical for motion in joint.kind.motions)
 
 
 def _turning(axis: Array, point: Array, pitch: float) -> Array:

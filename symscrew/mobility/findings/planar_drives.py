@@ -33,12 +33,15 @@ def lines_of_drives(found: Mobility) -> list[str]:
 
 def _line(joints: list[Joint]) -> str:
     """Through which axes the force of a limb runs; empty where it is no limb of three hinges and slides, one driven."""
-    if [j.type in ("R", "P") for j in joints] != [True] * 3 or sum(bool(j.driven) for j in joints) != 1:
+    motions = [j.kind.motions for j in joints]
+    if [len(of) == 1 and not (of[0].spherical or of[0].helical) for of in motions] != [True] * 3:
+        return ""
+    if sum(bool(j.driven) for j in joints) != 1:
         return ""
     first, second = (j for j in joints if not j.driven)
-    if first.type == second.type == "R":
+    hinges = [j for j in (first, second) if j.kind.turning]
+    if len(hinges) == 2:
         return f"through {first.name} and {second.name}"
-    if first.type == second.type:
+    if not hinges:
         return ""  # two slides leave a couple, a line at infinity
-    hinge, slide = (first, second) if first.type == "R" else (second, first)
-    return f"through {hinge.name} across {slide.name}"
+    return f"through {hinges[0].name} across {(second if hinges[0] is first else first).name}"

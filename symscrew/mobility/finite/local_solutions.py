@@ -46,6 +46,9 @@ CONVERGED = 1e-13
 RESIDUAL = 1e-15
 """Rounding of the residual in double precision. Where the smallest singular value is below a hundredth, steps are this
 divided by it at the end: of screws with a pitch of 0.1 mm/rad 1e-11, which never was as short as it had to be."""
+LONGEST = 1e-10
+"""No longer step ends it: a singular value that would ask for one is rounding itself, and steps that end would be those
+of a method that still converges. What is left is this squared."""
 EXACT = 1e-52
 """The closure residual of a point in 60 digits that is rounding."""
 REFINEMENTS = 12
@@ -162,7 +165,7 @@ def vanishes(
 def solve_dependent(variety: ClosureVariety, here: Local, q: Array) -> Array | None:
     """The displacement with the same independent coordinates that solves all but the redundant equations."""
     size = np.linalg.norm(q - here.q)
-    start, enough = q, max(CONVERGED, RESIDUAL / here.gap[0]) if here.gap[0] else CONVERGED
+    start, enough = q, max(CONVERGED, min(LONGEST, RESIDUAL / here.gap[0])) if here.gap[0] else CONVERGED
     for _ in range(40):
         residual = variety.residual(q)
         step = here.inverse @ residual
