@@ -122,7 +122,7 @@ def run(options: argparse.Namespace) -> int:
         sweep(plan, kept, scheduler=options.dask, processes=options.processes)
         results = around_holes(plan, kept.whole())
         found = sweep_summary(plan, results, made.units, made.engine.text)
-        written = _written(plan, results, found, made.units, out)
+        written = _written(out, plan, results, found=found, units=made.units)
         discard(folder)
     if options.json:
         print(json.dumps(found, indent=1))
@@ -145,7 +145,9 @@ def _tell_far(plan: Plan, units: Mapping[str, str]) -> None:
             print(f"note: {notice}", file=sys.stderr)
 
 
-def _written(plan: Plan, results: Results, found: Mapping[str, Any], units: Mapping[str, str], out: Path) -> list[Path]:
+def _written(
+    out: Path, plan: Plan, results: Results, *, found: Mapping[str, Any], units: Mapping[str, str]
+) -> list[Path]:
     """The one file that was asked for, or arrays, table, summary and maps in a folder."""
     from symscrew.studies.workspace import save_csv, save_npz
 

@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
-from symscrew.studies.workspace.evaluation import Arrival, Prepared, arrived, cases_of, prepare_sweep, results_at
+from symscrew.studies.workspace.evaluation import Arrival, arrived, cases_of, prepare_sweep, results_at
 from symscrew.studies.workspace.plan import Plan
 
 Array = np.ndarray
@@ -27,8 +27,8 @@ def around_holes(plan: Plan, results: Mapping[str, Array]) -> Results:
     it is. Where ways round both sides of a hole end in different configurations, the shorter one counts, of equal ones
     that along the first axis.
     """
-    found = {name: np.array(values) for name, values in results.items()}
-    made, held = prepare_sweep(plan), _Held(plan)
+    known = _Known(plan, results)
+    found = known.found
     for regular in (True, False):
         fresh = np.flatnonzero((found["reached"] > 0) & ((found["regular"] > 0) | (not regular)))
         while len(fresh):
@@ -37,7 +37,7 @@ def around_holes(plan: Plan, results: Mapping[str, Array]) -> Results:
                 open_ = found["reached"][target] == 0
                 for start in range(0, int(open_.sum()), plan.chunk):
                     some = slice(start, start + plan.chunk)
-                    news.append(_gone(plan, made, held, found, (target[open_][some], source[open_][some]), regular))
+                    news.append(known.gone(target[open_][some], source[open_][some], regular=regular))
             fresh = np.sort(np.concatenate(news)) if news else np.zeros(0, dtype=int)
     return found
 
@@ -51,34 +51,34 @@ def _beside(plan: Plan, numbers: Array) -> Iterator[tuple[Array, Array]]:
             yield numbers[inside] + step * stride, numbers[inside]
 
 
-class _Held:
-    """Configurations of cases from which others are gone to: walked to again, or kept from when they were reached."""
+class _Known:
+    """Results by now, and configurations from which others are gone to: walked to again, or kept when reached."""
 
-    def __init__(self, plan: Plan) -> None:
-        self.plan = plan
+    def __init__(self, plan: Plan, results: Mapping[str, Array]) -> None:
+        self.plan, self.made = plan, prepare_sweep(plan)
+        self.found = {name: np.array(values) for name, values in results.items()}
         self.kept: dict[int, Array] = {}
 
-    def of(self, made: Prepared, numbers: Array) -> Array:
+    def gone(self, target: Array, source: Array, *, regular: bool) -> Array:
+        """Numbers of the targets that are reached now from their sources, whose results count from now on."""
+        plan, made, found = self.plan, self.made, self.found
+        cases = cases_of(plan, made, target)
+        at = arrived(plan, made, cases, (cases_of(plan, made, source), self._held(source)))
+        clear = found["regular"][source] > 0
+        good = at.reached & (clear & at.regular | (not regular))
+        if not good.any():
+            return np.zeros(0, dtype=int)
+        least = {name: np.where(clear, value, np.fmin(value, 0.0))[good] for name, value in at.least.items()}
+        results = results_at(plan, made, cases[good], Arrival(at.q[good], at.status[good], least), around=True)
+        for name, values in results.items():
+            found[name][target[good]] = values
+        self.kept |= dict(zip(target[good].tolist(), at.q[good], strict=True))
+        return np.asarray(target[good])
+
+    def _held(self, numbers: Array) -> Array:
         """q (cases, nq)."""
         straight = np.array([n for n in numbers.tolist() if n not in self.kept], dtype=int)
         if len(straight):
-            walked = arrived(self.plan, made, cases_of(self.plan, made, straight)).q
+            walked = arrived(self.plan, self.made, cases_of(self.plan, self.made, straight)).q
             self.kept |= dict(zip(straight.tolist(), walked, strict=True))
         return np.stack([self.kept[n] for n in numbers.tolist()])
-
-
-def _gone(plan: Plan, made: Prepared, held: _Held, found: Results, ways: tuple[Array, Array], regular: bool) -> Array:
-    """Numbers of the cases that are reached now; their results are put into `found`."""
-    target, source = ways
-    cases = cases_of(plan, made, target)
-    at = arrived(plan, made, cases, (cases_of(plan, made, source), held.of(made, source)))
-    clear = found["regular"][source] > 0
-    good = at.reached & (clear & at.regular | (not regular))
-    if not good.any():
-        return np.zeros(0, dtype=int)
-    least = {name: np.where(clear, value, np.fmin(value, 0.0))[good] for name, value in at.least.items()}
-    results = results_at(plan, made, cases[good], Arrival(at.q[good], at.status[good], least), around=True)
-    for name, values in results.items():
-        found[name][target[good]] = values
-    held.kept |= dict(zip(target[good].tolist(), at.q[good], strict=True))
-    return np.asarray(target[good])
