@@ -229,6 +229,10 @@ class System:
         """q moved along joint rates w (spherical: rotation vector in the axes before the rotation)."""
         return self.structure.advance(q, step)
 
+    def moved(self, q: Array, step: Array) -> Array:
+        """q (n, nq) moved along rates v (n, nv), those of the model's functions (spherical: in the child's axes)."""
+        return self.advance(q, self.numeric(self.joint_rates(self.inputs.v), (self.inputs.q, q), (self.inputs.v, step)))
+
     def numeric(
         self, nodes: Sequence[Node], *inputs: tuple[Sequence[Node], Array], parameters: Array | None = None
     ) -> Array:

@@ -12,7 +12,6 @@ from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
-from symscrew.kinematics import System
 from symscrew.model import Model
 
 Found = TypeVar("Found")
@@ -87,10 +86,4 @@ class Closure:
 
     def moved(self, q: np.ndarray, step: np.ndarray) -> Iterator[np.ndarray]:
         """q of every state after its step."""
-        yield from self.system.advance(q, _turned_rates(self.system, q, step))
-
-
-def _turned_rates(system: System, q: np.ndarray, v: np.ndarray) -> np.ndarray:
-    """Joint rates (n, nv) from rates v: spherical ones from the child's axes to those before the rotation."""
-    at = system.inputs
-    return np.asarray(system.numeric(system.joint_rates(at.v), (at.q, q), (at.v, v)))
+        yield from self.system.moved(q, step)

@@ -96,7 +96,7 @@ def _reached(goals: Goals, wanted: WantedMotion, q: Array, goal: Array, *, at: i
         y_dot = -np.linalg.lstsq(along / scale, miss, rcond=RANK)[0] / scale
         move = basis[0] @ y_dot
         largest = float(np.abs(move).max()) / FARTHEST
-        q = _closed(model, functions, model.system.advance(q, (move / max(1.0, largest))[None]))
+        q = _closed(model, functions, model.system.moved(q, (move / max(1.0, largest))[None]))
     if at is not None and size > MISSED:
         worst = int(np.abs(miss).argmax())
         far = f"{wanted.names[worst]} is off by {abs(miss[worst]) * rows[worst]:.3g}"

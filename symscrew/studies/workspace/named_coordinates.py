@@ -67,7 +67,7 @@ class NamedCoordinates:
             step = np.zeros((len(q), len(units)))
             inverse = np.linalg.pinv(slopes[going], rcond=CUT_OFF)
             step[going] = -(inverse @ miss[going][:, :, None])[:, :, 0]
-            q = np.where(going[:, None], system.advance(q, step * units), q)
+            q = np.where(going[:, None], system.moved(q, step * units), q)
         good = left <= REACHED
         return np.where(good[:, None], q, np.nan), np.where(good, 0, NOT_CONVERGED)
 
@@ -107,7 +107,7 @@ class NamedCoordinates:
             slopes.append(flat.reshape(count, nv, -1).transpose(0, 2, 1) * rows[:, None] * units)
         miss.append(self._missed(q, extra, goals))
         steps = np.repeat(DIFFERENCE * np.concatenate([np.eye(nv), -np.eye(nv)])[None], count, 0).reshape(-1, nv)
-        near = system.advance(np.repeat(q, 2 * nv, 0), steps * units)
+        near = system.moved(np.repeat(q, 2 * nv, 0), steps * units)
         tiled = [(body, [_repeated(row, 2 * nv) for row in rows_]) for body, rows_ in goals]
         around = self._missed(near, [np.repeat(p, 2 * nv, 0) for p in extra], tiled).reshape(count, 2, nv, -1)
         slopes.append(((around[:, 0] - around[:, 1]) / (2 * DIFFERENCE)).transpose(0, 2, 1))
