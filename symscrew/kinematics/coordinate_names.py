@@ -36,6 +36,8 @@ BODY_PARTS: Mapping[str, str] = {
 """What a body's coordinates end in, and their units."""
 SPHERICAL_PARTS: Mapping[str, str] = {p: BODY_PARTS[p] for p in ("qx", "qy", "qz", "rx", "ry", "rz")}
 """The same of a spherical joint."""
+PLATFORM = "platform."
+"""What stands for the platform's body in names, unless something else is called so."""
 COLUMN = "q."
 """What columns of coordinates begin with, in the files of `simulate` and `drives`."""
 
@@ -99,9 +101,14 @@ def typable_names(mechanism: Mechanism) -> list[str]:
 
 
 def full_name(mechanism: Mechanism, name: str) -> str:
-    """The name with its owner: the platform's where only a part is typed, as in `tilt`; without a column's `q.`."""
+    """The name with its owner: the platform's where only a part is typed, as in `tilt`; without a column's `q.`.
+
+    `platform` is the platform, whatever its body is called, unless something else is.
+    """
     if name.startswith(COLUMN) and not _is_owner(mechanism, COLUMN[:-1]):
         name = name.removeprefix(COLUMN)
+    if name.startswith(PLATFORM) and mechanism.platform is not None and not _is_owner(mechanism, PLATFORM[:-1]):
+        return f"{mechanism.platform}.{name.removeprefix(PLATFORM)}"
     owned = "." in name or name in mechanism.joints or name in mechanism.parameters or name in mechanism.bodies
     if owned or name not in BODY_PARTS or mechanism.platform is None:
         return name

@@ -172,7 +172,7 @@ def test_columns_of_runs_are_names_of_coordinates() -> None:
     """`q.joint`, as a run's columns are called, is `joint` wherever a name is typed, but for an owner called `q`."""
     mechanism = catalogue.load("four_bar")
     assert full_name(mechanism, "q.A") == "A"
-    assert full_name(mechanism, "q.x") == full_name(mechanism, "x") == "rocker.x"
+    assert full_name(mechanism, "q.x") == full_name(mechanism, "x") == full_name(mechanism, "platform.x") == "rocker.x"
     assert given_coordinates(mechanism, {"q.A": "20deg"}) == given_coordinates(mechanism, {"A": "20deg"})
     with pytest.raises(DescriptionError, match="A is given twice"):
         given_coordinates(mechanism, {"q.A": "20deg", "A": "20deg"})
