@@ -84,7 +84,7 @@ def test_equal_limbs_have_their_singular_poses_in_one_line(capsys: pytest.Captur
     text = capsys.readouterr().out
     assert "at limb1_R1, limb2_R1, limb3_R1 = 1.3136 rad (75.26 deg), each alone: platform has fewer freedoms; " in text
     assert "each alone, past an end of its range: platform has" in text and "screws of its limb become" in text
-    assert "more singular poses" not in text and "That is of limb1; likewise the others" in text
+    assert "more singular poses" not in text and "Joints are those of limb1; likewise the others with their own" in text
 
 
 def test_a_parallelogram_has_two_change_points() -> None:
